@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paper, section 4: the overview, that is the stages in their order.
+#pragma once
+
+#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/stopwatch.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What the first two stages find out about the surface. It depends neither on
+ * M, S and the types wanted nor on pruning, so these can change without it.
+ */
+struct SurfaceShape {
+  SurfaceGraph graph;
+  std::vector<PrincipalCurvature> curvature;
+  std::vector<StageTime> times;
+};
+
+/** \brief The crests of a surface, all indices packed. */
+struct Crests {
+  /** section 4.3; of both types, whichever are wanted */
+  std::vector<CrestType> points;
+  /** the lines that are kept: ridges first, of each type the largest first */
+  std::vector<CrestLine> lines;
+  /** the distribution before small lines were removed (4.7), for the types wanted */
+  PerType<LineSizes> sizes;
+  std::vector<StageTime> times;
+};
+
+/** \brief Sections 4.1 and 4.2. */
+SurfaceShape
+analyzeSurface (const OrientedPoints& points,
+                const NeighborSearch& search,
+                const Parameters& parameters);
+
+/** \brief Sections 4.3 to 4.7. */
+Crests
+extractCrests (const OrientedPoints& points,
+               const SurfaceShape& shape,
+               const Parameters& parameters);
+
+/** \brief The label of each packed point. A point joined by growth that lies on lines
+ * of both types belongs to that of the sign of its own curvature.
+ */
+std::vector<Label>
+labelPoints (const SurfaceShape& shape,
+             const Crests& crests,
+             const PerType<bool>& wanted);
+
+} // namespace crest
+} // namespace pcl

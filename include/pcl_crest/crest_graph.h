@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paper, sections 4.4 and 4.5: region growing and the minimum spanning forest.
+#pragma once
+
+#include <pcl_crest/crest_points.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What a point is to the crest graphs of one type. */
+enum class Membership : std::uint8_t { OUTSIDE = 0, GROWN = 1, CREST = 2 };
+
+/** \brief The three types of edges and their weights (section 4.5). */
+enum class EdgeType : std::uint8_t {
+  A = 1, /**< between two crest points */
+  B = 5, /**< between a crest point and one joined by growth */
+  C = 10 /**< between two points joined by growth */
+};
+
+struct CrestEdge {
+  index_t a;
+  index_t b;
+  EdgeType type;
+  /** squared length, the first tie break among edges of one type */
+  double squared_length;
+};
+
+/** \brief Grows the crest points of one type by the points that share an edge with
+ * them and are not crest points of either type (section 4.4).
+ */
+std::vector<Membership>
+growRegions (const SurfaceGraph& graph,
+             const std::vector<CrestType>& crest_points,
+             CrestType type);
+
+/** \brief The edges of the crest graphs: those between two members, a < b. */
+std::vector<CrestEdge>
+crestEdges (const OrientedPoints& points,
+            const SurfaceGraph& graph,
+            const std::vector<Membership>& membership);
+
+/** \brief The minimum spanning forest by Kruskal's algorithm (section 4.5).
+ *
+ * The three weights are three buckets, so that edges are sorted within a type only, by
+ * length, then by their points: the forest is unique.
+ *
+ * \param[in] size the number of points that the edges may name
+ * \param[in] edges of the graphs, in any order
+ * \return the edges of the forest in the order in which Kruskal takes them
+ */
+std::vector<CrestEdge>
+minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_crest/crest_extraction.h>
+
+#include <pcl/features/feature.h>
+#include <pcl/point_types.h>
+#include <pcl/PolygonMesh.h>
+
+namespace pcl {
+
+/** \brief CrestLineEstimation extracts crest lines, that is ridges and valleys, from a
+ * cloud of points with normals, by the method of G. Stylianou and Y. Chrysanthou,
+ * "Crest Line Extraction From Point Clouds".
+ *
+ * The method needs normals that point consistently to one side of the surface, outward
+ * for closed ones: flipping them all swaps ridges and valleys.
+ *
+ * \code
+ * pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+ * estimation.setInputCloud (cloud); // positions and normals
+ * estimation.setMaximality (1.0);   // M: higher keeps only what is sharper
+ * estimation.setMinSize (15);       // S: drops lines of fewer points
+ * pcl::PointCloud<pcl::Label> labels;
+ * pcl::PolygonMesh lines;
+ * estimation.compute (labels, lines);
+ * \endcode
+ *
+ * As in every Feature: setIndices restricts the points that labels are computed for,
+ * not the surface, so that the labels are those of a run on the whole cloud and the
+ * lines are all lines of the surface. With setSearchSurface every finite input point
+ * has to be a point of that surface, because a crest is a property of the samples of a
+ * surface; lines then index the surface. Without setSearchMethod, setKSearch and
+ * setRadiusSearch, the 24 closest neighbours are found with PCL's KdTree over the valid
+ * points, for organized clouds too, as OrganizedNeighbor takes only what comes from a
+ * projective device. A search method that is set is used as it is.
+ *
+ * Mistakes are reported with PCL_ERROR and leave all outputs empty. A cloud without
+ * any usable point is no mistake: its labels are all crest::LABEL_INVALID.
+ *
+ * \tparam PointInT a point type with xyz and normal
+ * \tparam PointOutT a point type with a label; fields it shares with PointInT are
+ * copied
+ * \ingroup features
+ */
+template <typename PointInT, typename PointOutT = pcl::Label>
+class CrestLineEstimation : public Feature<PointInT, PointOutT> {
+  static_assert (pcl::traits::has_normal<PointInT>::value,
+                 "the input points need normals, as in pcl::PointNormal");
+  static_assert (pcl::traits::has_label<PointOutT>::value,
+                 "the output points need a label, as in pcl::Label");
+
+public:
+  using Ptr = shared_ptr<CrestLineEstimation<PointInT, PointOutT>>;
+  using ConstPtr = shared_ptr<const CrestLineEstimation<PointInT, PointOutT>>;
+  using typename Feature<PointInT, PointOutT>::PointCloudIn;
+  using typename Feature<PointInT, PointOutT>::PointCloudOut;
+
+  CrestLineEstimation() { feature_name_ = "CrestLineEstimation"; }
+
+  /** \brief Set M, the threshold on the maximality of curvature, for ridges and valleys
+   * (see crest::Parameters::maximality for its unit).
+   */
+  void
+  setMaximality (double maximality)
+  {
+    parameters_.maximality = {maximality, maximality};
+  }
+  void
+  setRidgeMaximality (double maximality)
+  {
+    parameters_.maximality.ridge = maximality;
+  }
+  void
+  setValleyMaximality (double maximality)
+  {
+    parameters_.maximality.valley = maximality;
+  }
+
+  /** \brief Take M in 1 / (the cloud's unit)^2 instead of relative to its extent. */
+  void
+  setAbsoluteMaximality (bool absolute)
+  {
+    parameters_.absolute_maximality = absolute;
+  }
+
+  /** \brief Set S: lines of fewer points are removed. */
+  void
+  setMinSize (int points)
+  {
+    parameters_.min_size = {points, points};
+  }
+  void
+  setRidgeMinSize (int points)
+  {
+    parameters_.min_size.ridge = points;
+  }
+  void
+  setValleyMinSize (int points)
+  {
+    parameters_.min_size.valley = points;
+  }
+
+  /** \brief Set the size in points up to which branches are pruned. */
+  void
+  setPruneSize (int points)
+  {
+    parameters_.prune = points;
+  }
+
+  /** \brief Set the number of neighbours kept in each quadrant. */
+  void
+  setPointsPerQuadrant (int points)
+  {
+    parameters_.points_per_quadrant = points;
+  }
+
+  /** \brief Set the largest angle between neighbouring normals, in degrees. */
+  void
+  setMaxNormalAngle (double degrees)
+  {
+    parameters_.max_normal_angle = degrees;
+  }
+
+  /** \brief Choose the types to label and to draw lines of. */
+  void
+  setWantedTypes (bool ridges, bool valleys)
+  {
+    parameters_.wanted = {ridges, valleys};
+  }
+
+  /** \brief Set the number of threads; 0 takes all processors. */
+  void
+  setNumberOfThreads (unsigned nr_threads = 0)
+  {
+    parameters_.threads = nr_threads;
+  }
+
+  /** \brief Set all parameters at once. k and radius take the place of setKSearch and
+   * setRadiusSearch.
+   */
+  void
+  setParameters (const crest::Parameters& parameters)
+  {
+    parameters_ = parameters;
+    k_ = parameters.radius > 0.0 ? 0 : parameters.k;
+    search_radius_ = parameters.radius;
+  }
+
+  /** \brief The parameters as the next compute will use them. */
+  crest::Parameters
+  getParameters () const
+  {
+    crest::Parameters parameters = parameters_;
+    if (k_ != 0)
+      parameters.k = k_;
+    parameters.radius = search_radius_;
+    return parameters;
+  }
+
+  using Feature<PointInT, PointOutT>::compute;
+
+  /** \brief Compute labels and lines.
+   * \param[out] labels one of crest::Label for each of the indices, in their order
+   * \param[out] lines one pcl::Vertices for each polyline of getLines (), in its order;
+   * its cloud is the surface
+   */
+  void
+  compute (PointCloudOut& labels, pcl::PolygonMesh& lines);
+
+  /** \brief The lines of the last compute, as indices into the surface (the input cloud
+   * unless setSearchSurface was used): ridges first, of each type the largest first.
+   */
+  const std::vector<crest::CrestLine>&
+  getLines () const
+  {
+    return result_.lines;
+  }
+
+  /** \brief The principal curvatures of the last compute, one for each of its indices:
+   * pc1 is the larger in absolute value, signed, positive where convex seen from the
+   * side of the normal, in 1 / (the cloud's unit); principal_curvature is its
+   * direction. All are NaN where the label is LABEL_INVALID.
+   */
+  const pcl::PointCloud<pcl::PrincipalCurvatures>&
+  getPrincipalCurvatures () const
+  {
+    return result_.curvatures;
+  }
+
+  /** \brief What the last compute found out beside its outputs. */
+  struct Statistics {
+    /** mean over the samples of the mean distance to their 6 nearest neighbours */
+    double mean_spacing = 0.0;
+    /** largest side of the bounding box of the valid points */
+    double extent = 0.0;
+    /** the chart of section 4.7: how many lines of each size before S removed some */
+    crest::PerType<crest::LineSizes> line_sizes;
+    std::vector<crest::StageTime> times;
+  };
+  const Statistics&
+  getStatistics () const
+  {
+    return result_.statistics;
+  }
+
+protected:
+  using Feature<PointInT, PointOutT>::feature_name_;
+  using Feature<PointInT, PointOutT>::getClassName;
+  using Feature<PointInT, PointOutT>::input_;
+  using Feature<PointInT, PointOutT>::indices_;
+  using Feature<PointInT, PointOutT>::surface_;
+  using Feature<PointInT, PointOutT>::fake_surface_;
+  using Feature<PointInT, PointOutT>::tree_;
+  using Feature<PointInT, PointOutT>::k_;
+  using Feature<PointInT, PointOutT>::search_radius_;
+
+  /** \brief Checks the input. Takes the place of Feature::initCompute, which builds a
+   * search over all points of the surface, and aborts in FLANN where one is not finite
+   * though the cloud says that it is dense.
+   */
+  bool
+  initCompute () override;
+
+private:
+  struct Result {
+    std::vector<crest::CrestLine> lines;
+    pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
+    Statistics statistics;
+  };
+
+  void
+  computeFeature (PointCloudOut& output) override;
+
+  /** \brief Whether the user's search method can take the surface; gives it over. */
+  bool
+  prepareSearchMethod ();
+
+  /** \brief For each of the indices its place in the surface, or -1 where the point is
+   * not finite. False if a finite one is not in the surface.
+   */
+  bool
+  locateInSurface (pcl::Indices& places) const;
+
+  crest::Parameters parameters_;
+  Result result_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_crest/impl/crest_line_estimation.hpp>
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paper, section 4.3: crest point classification.
+#pragma once
+
+#include <pcl_crest/curvature.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The threshold M in 1 / (the cloud's unit)^2.
+ *
+ * M compares squared curvatures, so that a bare number means something only with its
+ * unit of length. The paper names none; its figure 8 comes out with the cloud scaled to
+ * a largest bounding box side of 10, which is therefore the unit unless
+ * absolute_maximality: the labels are then the same in metres and in millimetres.
+ */
+PerType<double>
+absoluteMaximality (const OrientedPoints& points, const Parameters& parameters);
+
+/** \brief Finds the points whose k1 is a maximum in its direction: with i and j the
+ * neighbours whose directions are closest to t1 and to -t1, those where k1^2 exceeds
+ * that of i and that of j by more than M. The sign of k1 tells ridge from valley.
+ *
+ * Choices where the paper leaves them open:
+ * - Closest is by angle in the tangent plane, of equals the lower index, and less than
+ *   90 degrees off: where the surface ends there is no maximum.
+ * - Where |k1| = |k2| with opposite signs no curvature is the largest (section 3), and
+ *   the point is no crest point.
+ *
+ * \param[in] points, graph, curvature the results of the stages before
+ * \param[in] maximality M for ridges and for valleys, in 1 / (the cloud's unit)^2
+ * \param[in] threads 0 for all processors
+ */
+std::vector<CrestType>
+classifyCrestPoints (const OrientedPoints& points,
+                     const SurfaceGraph& graph,
+                     const std::vector<PrincipalCurvature>& curvature,
+                     const PerType<double>& maximality,
+                     unsigned threads);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/neighbor_search.h>
+
+#include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
+#include <pcl/features/impl/feature.hpp>
+#include <pcl/conversions.h>
+
+#include <array>
+#include <atomic>
+#include <limits>
+#include <map>
+
+namespace pcl {
+
+template <typename PointInT, typename PointOutT>
+bool
+CrestLineEstimation<PointInT, PointOutT>::initCompute()
+{
+  result_ = Result();
+  const auto refuse = [this] (const std::string& why) {
+    PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), why.c_str());
+    this->deinitCompute();
+    return false;
+  };
+
+  if (!PCLBase<PointInT>::initCompute())
+    return refuse ("No input cloud was given: call setInputCloud first");
+  if (input_->empty())
+    return refuse ("The input cloud is empty");
+  for (const index_t index : *indices_)
+    if (index < 0 || static_cast<std::size_t> (index) >= input_->size())
+      return refuse ("Index " + std::to_string (index) +
+                     " is outside the input cloud of " +
+                     std::to_string (input_->size()) + " points");
+  if (k_ != 0 && search_radius_ != 0.0)
+    return refuse ("Both k (" + std::to_string (k_) + ") and a radius (" +
+                   std::to_string (search_radius_) + ") are set: set one of them to 0");
+  const std::string invalid = crest::explainInvalid (getParameters());
+  if (!invalid.empty())
+    return refuse ("Invalid parameter: " + invalid);
+
+  if (!surface_) {
+    fake_surface_ = true;
+    surface_ = input_;
+  }
+  return !tree_ || prepareSearchMethod();
+}
+
+template <typename PointInT, typename PointOutT>
+bool
+CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
+{
+  if (tree_->getInputCloud() == surface_)
+    return true;
+  if (surface_->is_dense)
+    for (std::size_t i = 0; i < surface_->size(); ++i)
+      if (!pcl::isXYZFinite ((*surface_)[i])) {
+        PCL_ERROR (
+            "[pcl::%s::compute] Point %zu is not finite, though is_dense of its "
+            "cloud is true: set it to false to use a search method of your own.\n",
+            getClassName().c_str(),
+            i);
+        this->deinitCompute();
+        return false;
+      }
+  tree_->setInputCloud (surface_);
+  return true;
+}
+
+template <typename PointInT, typename PointOutT>
+bool
+CrestLineEstimation<PointInT, PointOutT>::locateInSurface (pcl::Indices& places) const
+{
+  places = *indices_;
+  if (surface_ == input_)
+    return true;
+
+  const auto key = [] (const PointInT& p) {
+    return std::array<float, 3>{p.x, p.y, p.z};
+  };
+  std::map<std::array<float, 3>, index_t> place_of;
+  for (std::size_t i = 0; i < surface_->size(); ++i)
+    if (pcl::isXYZFinite ((*surface_)[i]))
+      place_of.emplace (key ((*surface_)[i]), static_cast<index_t> (i));
+  for (index_t& place : places) {
+    const PointInT& point = (*input_)[place];
+    const auto found =
+        pcl::isXYZFinite (point) ? place_of.find (key (point)) : place_of.end();
+    if (found == place_of.end() && pcl::isXYZFinite (point)) {
+      PCL_ERROR ("[pcl::%s::compute] Input point %d is not a point of the search "
+                 "surface, so that it has no place in the graph of its samples.\n",
+                 getClassName().c_str(),
+                 static_cast<int> (place));
+      return false;
+    }
+    place = found == place_of.end() ? -1 : found->second;
+  }
+  return true;
+}
+
+template <typename PointInT, typename PointOutT>
+void
+CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+{
+  const auto fail = [&output] {
+    output.clear();
+    output.width = output.height = 0;
+  };
+  pcl::Indices places;
+  if (!locateInSurface (places))
+    return fail();
+
+  const crest::Parameters parameters = getParameters();
+  std::vector<crest::StageTime> times;
+  crest::Stopwatch watch (times);
+  const PointInT& first = surface_->front();
+  const crest::OrientedPoints points =
+      crest::packOrientedPoints ({&first.x,
+                                  &first.normal_x,
+                                  sizeof (PointInT) / sizeof (float),
+                                  surface_->size()});
+  watch.stageDone ("packing");
+
+  std::atomic<bool> stale_search{false};
+  const crest::NeighborSearch given_search = [&] (index_t point, pcl::Indices& found) {
+    crest::findNeighbors<PointInT> (
+        *tree_, (*surface_)[points.cloud_index[point]], parameters, found);
+    std::size_t kept = 0;
+    for (const index_t i : found)
+      if (i < 0 || static_cast<std::size_t> (i) >= surface_->size())
+        stale_search = true;
+      else if (points.packed_index[i] != crest::OrientedPoints::INVALID)
+        found[kept++] = points.packed_index[i];
+    found.resize (kept);
+  };
+  const crest::NeighborSearch search =
+      tree_ ? given_search : crest::kdTreeSearch (points, parameters);
+  watch.stageDone ("search tree");
+
+  const crest::SurfaceShape shape = crest::analyzeSurface (points, search, parameters);
+  if (stale_search) {
+    PCL_ERROR (
+        "[pcl::%s::compute] The search method returned points outside the cloud: "
+        "the cloud has changed since the search method's setInputCloud.\n",
+        getClassName().c_str());
+    return fail();
+  }
+  crest::Crests crests = crest::extractCrests (points, shape, parameters);
+  times.insert (times.end(), shape.times.begin(), shape.times.end());
+  times.insert (times.end(), crests.times.begin(), crests.times.end());
+
+  const std::vector<crest::Label> labels =
+      crest::labelPoints (shape, crests, parameters.wanted);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  result_.curvatures.reserve (places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const index_t packed =
+        places[i] < 0 ? crest::OrientedPoints::INVALID : points.packed_index[places[i]];
+    pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
+    output[i].label = packed < 0 ? crest::LABEL_INVALID : labels[packed];
+    pcl::PrincipalCurvatures curvature{nan, nan, nan, nan, nan};
+    if (packed >= 0 && shape.curvature[packed].valid) {
+      const crest::PrincipalCurvature& c = shape.curvature[packed];
+      curvature = {c.t1.x(), c.t1.y(), c.t1.z(), c.k1, c.k2};
+    }
+    result_.curvatures.push_back (curvature);
+  }
+  result_.lines = std::move (crests.lines);
+  for (crest::CrestLine& line : result_.lines)
+    for (std::vector<index_t>& polyline : line.polylines)
+      for (index_t& point : polyline)
+        point = points.cloud_index[point];
+  result_.statistics = {
+      shape.graph.mean_spacing, points.extent, std::move (crests.sizes), times};
+}
+
+template <typename PointInT, typename PointOutT>
+void
+CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
+                                                   pcl::PolygonMesh& lines)
+{
+  lines = pcl::PolygonMesh();
+  compute (labels);
+  if (labels.empty())
+    return;
+  pcl::toPCLPointCloud2 (surface_ ? *surface_ : *input_, lines.cloud);
+  lines.header = lines.cloud.header;
+  for (const crest::CrestLine& line : result_.lines)
+    for (const std::vector<index_t>& polyline : line.polylines) {
+      pcl::Vertices vertices;
+      vertices.vertices.assign (polyline.begin(), polyline.end());
+      lines.polygons.push_back (std::move (vertices));
+    }
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_CrestLineEstimation(T, OutT)                                   \
+  template class PCL_EXPORTS pcl::CrestLineEstimation<T, OutT>;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The input of the method (paper, section 4): points that know their normals.
+#pragma once
+
+#include <pcl_crest/types.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+
+/** \brief Where a cloud keeps its positions and normals: three floats each, at
+ * `position + i * stride` and `normal + i * stride`, strides in floats.
+ */
+struct PointView {
+  const float* position;
+  const float* normal;
+  std::size_t stride;
+  std::size_t size;
+};
+
+/** \brief The points that the stages work on: finite, with unit normals, without
+ * coincident points, in an order that depends on their positions alone.
+ *
+ * The order (along a Morton curve) makes every later tie break by index independent
+ * of the order of the input, and keeps neighbours close in memory. Coincident points
+ * are one sample of the surface: k neighbours at distance zero would tell nothing of
+ * its shape. Such a sample has the mean of their normals.
+ */
+struct OrientedPoints {
+  static constexpr index_t INVALID = -1;
+
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  /** the point of the cloud that each was made of (of coincident ones the first) */
+  std::vector<index_t> cloud_index;
+  /** for each point of the cloud its place here, or INVALID */
+  std::vector<index_t> packed_index;
+  /** largest side of the axis-aligned bounding box, in the cloud's unit */
+  double extent = 0.0;
+
+  std::size_t
+  size () const
+  {
+    return positions.size();
+  }
+};
+
+/** \brief Packs the valid points of a cloud. Invalid are those whose position or
+ * normal is not finite, or whose normal is zero.
+ */
+OrientedPoints
+packOrientedPoints (const PointView& cloud);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All parameters of the method, with their defaults and units, in one place.
+#pragma once
+
+#include <pcl_crest/types.h>
+
+#include <string>
+
+namespace pcl {
+namespace crest {
+
+/** \brief A threshold that ridges and valleys have each their own value of, because
+ * their curvatures are distributed differently (paper, section 5).
+ */
+template <typename T>
+struct PerType {
+  T ridge;
+  T valley;
+
+  const T&
+  operator[] (CrestType type) const
+  {
+    return type == CrestType::RIDGE ? ridge : valley;
+  }
+  T&
+  operator[] (CrestType type)
+  {
+    return type == CrestType::RIDGE ? ridge : valley;
+  }
+};
+
+/** \brief The parameters of the crest line extraction. The Feature's setters and the
+ * tools' options fill this struct; no default is stated anywhere else.
+ */
+struct Parameters {
+  /** k of the k closest neighbours that the quadrant filter chooses from (4.1); the
+   * query point counts as one of them, as in every PCL feature. Ignored where radius
+   * is positive. docs/method.md has the measurement behind the default. */
+  int k = 24;
+
+  /** Search radius in the cloud's unit; 0 searches for k neighbours instead. */
+  double radius = 0.0;
+
+  /** Neighbours kept in each quadrant of the tangent plane, one for each interval of
+   * 90 / points_per_quadrant degrees (4.1). */
+  int points_per_quadrant = 2;
+
+  /** Largest angle between the normals of two neighbours, in degrees: a larger jump
+   * means another sheet of the surface (4.1). */
+  double max_normal_angle = 90.0;
+
+  /** M of section 4.3: how much k1^2 has to exceed that of the neighbours on either
+   * side. Unit: 1 / length^2, the unit of length being a tenth of the largest side of
+   * the cloud's bounding box, or the cloud's own unit where absolute_maximality. */
+  PerType<double> maximality{0.01, 0.01};
+
+  /** Whether maximality is in 1 / (the cloud's unit)^2. */
+  bool absolute_maximality = false;
+
+  /** Branches of up to this many points are pruned (4.6). */
+  int prune = 10;
+
+  /** S of section 4.7: lines of fewer points are removed. */
+  PerType<int> min_size{10, 10};
+
+  /** Which types to label and to draw lines of. */
+  PerType<bool> wanted{true, true};
+
+  /** Threads of all stages; 0 takes all processors. The result does not depend on it.
+   */
+  unsigned threads = 0;
+};
+
+/** \brief What is wrong with the parameters, in words for the user: the parameter, its
+ * value, and what would be right. Empty if all is well.
+ */
+std::string
+explainInvalid (const Parameters& parameters);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What one stage took. */
+struct StageTime {
+  std::string stage;
+  double milliseconds;
+};
+
+/** \brief Tells how long each stage took; a stage that runs twice is added up. */
+class Stopwatch {
+public:
+  explicit Stopwatch (std::vector<StageTime>& times) : times_ (times) {}
+
+  /** \brief Books what has passed since the last stage ended. */
+  void
+  stageDone (const std::string& stage)
+  {
+    const auto now = Clock::now();
+    const double ms = std::chrono::duration<double, std::milli> (now - last_).count();
+    last_ = now;
+    for (StageTime& time : times_)
+      if (time.stage == stage) {
+        time.milliseconds += ms;
+        return;
+      }
+    times_.push_back ({stage, ms});
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<StageTime>& times_;
+  Clock::time_point last_ = Clock::now();
+};
+
+} // namespace crest
+} // namespace pcl

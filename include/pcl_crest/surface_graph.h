@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paper, section 4.1: generating topological information.
+#pragma once
+
+#include <pcl_crest/oriented_points.h>
+#include <pcl_crest/parameters.h>
+
+#include <functional>
+
+namespace pcl {
+namespace crest {
+
+/** \brief Finds the candidate neighbours of a packed point. Any order; may hold the
+ * point itself; must be callable from several threads at once.
+ */
+using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& found)>;
+
+/** \brief The points that share an edge with a point: star(p) of the paper. */
+struct Star {
+  const index_t* first;
+  const index_t* last;
+
+  const index_t*
+  begin () const
+  {
+    return first;
+  }
+  const index_t*
+  end () const
+  {
+    return last;
+  }
+  std::size_t
+  size () const
+  {
+    return static_cast<std::size_t> (last - first);
+  }
+};
+
+/** \brief The undirected surface graph in compressed sparse row (CSR) form: the star
+ * of point i is neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], ascending.
+ */
+struct SurfaceGraph {
+  std::vector<std::size_t> offsets;
+  std::vector<index_t> neighbors;
+  /** 1 where an empty quadrant tells that the surface ends (4.1), else 0 */
+  std::vector<std::uint8_t> boundary;
+  /** mean over the points of the mean distance to their 6 nearest neighbours */
+  double mean_spacing = 0.0;
+
+  std::size_t
+  size () const
+  {
+    return offsets.empty() ? 0 : offsets.size() - 1;
+  }
+  Star
+  star (index_t point) const
+  {
+    return {neighbors.data() + offsets[point], neighbors.data() + offsets[point + 1]};
+  }
+};
+
+/** \brief Connects every point with the nearest candidate in each angular interval of
+ * its tangent plane (section 4.1), and makes the relation symmetric.
+ *
+ * Choices where the paper leaves them open:
+ * - The first interval is centred on the direction of the nearest neighbour, so that
+ *   the graph turns with the cloud; the paper's axes are arbitrary.
+ * - A candidate on the border of two intervals belongs to the one nearer to that
+ *   direction, so that the graph is the same when all normals are flipped.
+ * - Equidistant candidates of an interval are all kept, as in the paper; equal is what
+ *   differs by less than 1e-5 of the squared distance, which outlasts rounding.
+ * - A boundary point is one with as many empty intervals in a row as make a quadrant,
+ *   wherever that quadrant begins.
+ *
+ * \param[in] points the samples
+ * \param[in] search finds the candidates
+ * \param[in] parameters points_per_quadrant, max_normal_angle and threads are used
+ */
+SurfaceGraph
+buildSurfaceGraph (const OrientedPoints& points,
+                   const NeighborSearch& search,
+                   const Parameters& parameters);
+
+} // namespace crest
+} // namespace pcl

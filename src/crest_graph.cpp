@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/crest_graph.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+class DisjointSets {
+public:
+  explicit DisjointSets (std::size_t size) : parent_ (size)
+  {
+    std::iota (parent_.begin(), parent_.end(), 0);
+  }
+
+  index_t
+  find (index_t x)
+  {
+    while (parent_[x] != x)
+      x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+
+  /** \brief Returns whether a and b were apart. */
+  bool
+  unite (index_t a, index_t b)
+  {
+    a = find (a);
+    b = find (b);
+    parent_[std::max (a, b)] = std::min (a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<index_t> parent_;
+};
+
+EdgeType
+edgeType (Membership a, Membership b)
+{
+  if (a == Membership::CREST && b == Membership::CREST)
+    return EdgeType::A;
+  return a == Membership::GROWN && b == Membership::GROWN ? EdgeType::C : EdgeType::B;
+}
+
+} // namespace
+
+std::vector<Membership>
+growRegions (const SurfaceGraph& graph,
+             const std::vector<CrestType>& crest_points,
+             CrestType type)
+{
+  std::vector<Membership> membership (graph.size(), Membership::OUTSIDE);
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (crest_points[i] != type)
+      continue;
+    membership[i] = Membership::CREST;
+    for (const index_t q : graph.star (static_cast<index_t> (i)))
+      if (crest_points[q] == CrestType::NONE)
+        membership[q] = Membership::GROWN;
+  }
+  return membership;
+}
+
+std::vector<CrestEdge>
+crestEdges (const OrientedPoints& points,
+            const SurfaceGraph& graph,
+            const std::vector<Membership>& membership)
+{
+  std::vector<CrestEdge> edges;
+  for (index_t a = 0; a < static_cast<index_t> (graph.size()); ++a) {
+    if (membership[a] == Membership::OUTSIDE)
+      continue;
+    for (const index_t b : graph.star (a))
+      if (a < b && membership[b] != Membership::OUTSIDE)
+        edges.push_back (
+            {a,
+             b,
+             edgeType (membership[a], membership[b]),
+             (points.positions[b] - points.positions[a]).cast<double>().squaredNorm()});
+  }
+  return edges;
+}
+
+std::vector<CrestEdge>
+minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges)
+{
+  const auto b_begin =
+      std::partition (edges.begin(), edges.end(), [] (const CrestEdge& e) {
+        return e.type == EdgeType::A;
+      });
+  const auto c_begin = std::partition (
+      b_begin, edges.end(), [] (const CrestEdge& e) { return e.type == EdgeType::B; });
+  const auto shorter = [] (const CrestEdge& e, const CrestEdge& f) {
+    return std::tie (e.squared_length, e.a, e.b) <
+           std::tie (f.squared_length, f.a, f.b);
+  };
+
+  DisjointSets trees (size);
+  std::vector<CrestEdge> forest;
+  const auto takeBucket = [&] (auto first, auto last) {
+    // Most edges of the later buckets close a cycle already: drop them before sorting.
+    last = std::remove_if (first, last, [&] (const CrestEdge& e) {
+      return trees.find (e.a) == trees.find (e.b);
+    });
+    std::sort (first, last, shorter);
+    for (auto edge = first; edge != last; ++edge)
+      if (trees.unite (edge->a, edge->b))
+        forest.push_back (*edge);
+  };
+  takeBucket (edges.begin(), b_begin);
+  takeBucket (b_begin, c_begin);
+  takeBucket (c_begin, edges.end());
+  return forest;
+}
+
+} // namespace crest
+} // namespace pcl

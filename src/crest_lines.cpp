@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/crest_lines.h>
+
+#include <algorithm>
+#include <iterator>
+#include <queue>
+#include <tuple>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief A forest whose edges can be walked along and removed. Points are numbered
+ * locally, in the order of their packed indices.
+ */
+class Forest {
+public:
+  Forest (const OrientedPoints& points, const std::vector<CrestEdge>& edges)
+  : points_ (points)
+  {
+    vertices_.reserve (2 * edges.size());
+    for (const CrestEdge& edge : edges) {
+      vertices_.push_back (edge.a);
+      vertices_.push_back (edge.b);
+    }
+    std::sort (vertices_.begin(), vertices_.end());
+    vertices_.erase (std::unique (vertices_.begin(), vertices_.end()), vertices_.end());
+    adjacency_.resize (vertices_.size());
+    for (const CrestEdge& edge : edges) {
+      const int a = local (edge.a);
+      const int b = local (edge.b);
+      adjacency_[a].push_back (b);
+      adjacency_[b].push_back (a);
+    }
+    for (std::vector<int>& neighbors : adjacency_)
+      std::sort (neighbors.begin(), neighbors.end());
+  }
+
+  int
+  size () const
+  {
+    return static_cast<int> (vertices_.size());
+  }
+  index_t
+  packed (int v) const
+  {
+    return vertices_[v];
+  }
+  const std::vector<int>&
+  neighbors (int v) const
+  {
+    return adjacency_[v];
+  }
+  std::size_t
+  degree (int v) const
+  {
+    return adjacency_[v].size();
+  }
+  bool
+  isJunction (int v) const
+  {
+    return degree (v) > 2;
+  }
+  double
+  distance (int v, int w) const
+  {
+    return (points_.positions[vertices_[v]] - points_.positions[vertices_[w]])
+        .cast<double>()
+        .norm();
+  }
+
+  void
+  removeEdge (int v, int w)
+  {
+    detach (v, w);
+    detach (w, v);
+  }
+
+  /** \brief Walks from v over w to the next point that does not simply go on, or until
+   * the path has `limit` points.
+   */
+  std::vector<int>
+  walk (int v, int w, std::size_t limit) const
+  {
+    std::vector<int> path{v, w};
+    while (degree (path.back()) == 2 && path.size() < limit) {
+      const std::vector<int>& next = adjacency_[path.back()];
+      path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
+    }
+    return path;
+  }
+
+  double
+  length (const std::vector<int>& path) const
+  {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      sum += distance (path[i - 1], path[i]);
+    return sum;
+  }
+
+  /** \brief Of the edges that the forest was made of those not removed: a removed
+   * branch leaves its points without edges.
+   */
+  std::vector<CrestEdge>
+  remaining (const std::vector<CrestEdge>& edges) const
+  {
+    std::vector<CrestEdge> kept;
+    std::copy_if (
+        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
+          return degree (local (e.a)) > 0 && degree (local (e.b)) > 0;
+        });
+    return kept;
+  }
+
+private:
+  int
+  local (index_t packed) const
+  {
+    return static_cast<int> (
+        std::lower_bound (vertices_.begin(), vertices_.end(), packed) -
+        vertices_.begin());
+  }
+
+  void
+  detach (int v, int w)
+  {
+    std::vector<int>& neighbors = adjacency_[v];
+    neighbors.erase (std::find (neighbors.begin(), neighbors.end(), w));
+  }
+
+  const OrientedPoints& points_;
+  std::vector<index_t> vertices_;
+  std::vector<std::vector<int>> adjacency_;
+};
+
+/** \brief A branch as it was when it was measured; pruning elsewhere may have made it
+ * longer since, never shorter.
+ */
+struct Branch {
+  std::size_t size;
+  double length;
+  int end;
+
+  bool
+  operator> (const Branch& o) const
+  {
+    return std::tie (size, length, end) > std::tie (o.size, o.length, o.end);
+  }
+};
+
+/** \brief Prunes the branches of up to `largest` points, shortest first. */
+void
+prune (Forest& forest, std::size_t largest)
+{
+  // The path of a branch ends with its junction, and has one point more if too long.
+  const auto pathOf = [&] (int end) {
+    return forest.walk (end, forest.neighbors (end)[0], largest + 2);
+  };
+  const auto isShortBranch = [&] (const std::vector<int>& path) {
+    return forest.isJunction (path.back()) && path.size() <= largest + 1;
+  };
+  std::priority_queue<Branch, std::vector<Branch>, std::greater<>> branches;
+  const auto push = [&] (int end, const std::vector<int>& path) {
+    branches.push ({path.size() - 1, forest.length (path), end});
+  };
+
+  for (int v = 0; v < forest.size(); ++v)
+    if (forest.degree (v) == 1) {
+      const std::vector<int> path = pathOf (v);
+      if (isShortBranch (path))
+        push (v, path);
+    }
+  while (!branches.empty()) {
+    const Branch shortest = branches.top();
+    branches.pop();
+    const std::vector<int> path = pathOf (shortest.end);
+    if (!isShortBranch (path))
+      continue;
+    if (path.size() - 1 > shortest.size) {
+      push (shortest.end, path);
+      continue;
+    }
+    for (std::size_t i = 1; i < path.size(); ++i)
+      forest.removeEdge (path[i - 1], path[i]);
+  }
+}
+
+/** \brief The points that hang together with `start`, which it marks as seen. */
+std::vector<int>
+component (const Forest& forest, int start, std::vector<bool>& seen)
+{
+  std::vector<int> found{start};
+  seen[start] = true;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const int w : forest.neighbors (found[i]))
+      if (!seen[w]) {
+        seen[w] = true;
+        found.push_back (w);
+      }
+  std::sort (found.begin(), found.end());
+  return found;
+}
+
+/** \brief The branches of a tree, each from the lower of its two end points. */
+std::vector<std::vector<int>>
+branchesOf (const Forest& forest, const std::vector<int>& tree)
+{
+  std::vector<std::vector<int>> branches;
+  for (const int v : tree)
+    if (forest.degree (v) != 2)
+      for (const int w : forest.neighbors (v)) {
+        std::vector<int> path = forest.walk (v, w, tree.size());
+        if (path.back() > v)
+          branches.push_back (std::move (path));
+      }
+  return branches;
+}
+
+bool
+shareEdge (const SurfaceGraph& graph, index_t a, index_t b)
+{
+  const Star star = graph.star (a);
+  return std::binary_search (star.begin(), star.end(), b);
+}
+
+} // namespace
+
+std::vector<CrestEdge>
+pruneBranches (const OrientedPoints& points,
+               const std::vector<CrestEdge>& edges,
+               std::size_t largest)
+{
+  Forest forest (points, edges);
+  prune (forest, 1);
+  prune (forest, largest);
+  return forest.remaining (edges);
+}
+
+std::vector<CrestLine>
+traceLines (const OrientedPoints& points,
+            const SurfaceGraph& graph,
+            const std::vector<CrestEdge>& edges,
+            CrestType type,
+            std::size_t largest_branch)
+{
+  const Forest forest (points, edges);
+  std::vector<CrestLine> lines;
+  std::vector<bool> seen (static_cast<std::size_t> (forest.size()), false);
+  for (int v = 0; v < forest.size(); ++v) {
+    if (seen[v])
+      continue;
+    const std::vector<int> tree = component (forest, v, seen);
+    std::vector<std::vector<int>> branches = branchesOf (forest, tree);
+    CrestLine line;
+    line.type = type;
+    line.size = tree.size();
+    if (branches.size() == 1 && line.size > std::max<std::size_t> (2, largest_branch)) {
+      std::vector<int>& only = branches.front();
+      line.closed =
+          shareEdge (graph, forest.packed (only.front()), forest.packed (only.back()));
+      if (line.closed)
+        only.push_back (only.front());
+    }
+    for (const std::vector<int>& branch : branches) {
+      line.length += forest.length (branch);
+      std::vector<index_t>& polyline = line.polylines.emplace_back();
+      for (const int w : branch)
+        polyline.push_back (forest.packed (w));
+    }
+    lines.push_back (std::move (line));
+  }
+  std::stable_sort (
+      lines.begin(), lines.end(), [] (const CrestLine& a, const CrestLine& b) {
+        return a.size > b.size;
+      });
+  return lines;
+}
+
+LineSizes
+lineSizes (const std::vector<CrestLine>& lines)
+{
+  LineSizes sizes;
+  for (const CrestLine& line : lines)
+    ++sizes[line.size];
+  return sizes;
+}
+
+std::vector<CrestLine>
+removeSmallLines (std::vector<CrestLine> lines, std::size_t min_size)
+{
+  lines.erase (
+      std::remove_if (lines.begin(),
+                      lines.end(),
+                      [&] (const CrestLine& line) { return line.size < min_size; }),
+      lines.end());
+  return lines;
+}
+
+} // namespace crest
+} // namespace pcl

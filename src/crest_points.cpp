@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/crest_points.h>
+
+#include "parallel.h"
+
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief The neighbours of a point closest to the direction t1 and to -t1. */
+struct Across {
+  index_t ahead = OrientedPoints::INVALID;
+  index_t behind = OrientedPoints::INVALID;
+};
+
+Across
+neighborsAcross (const OrientedPoints& points,
+                 index_t point,
+                 const Star& star,
+                 const Eigen::Vector3f& direction)
+{
+  const Eigen::Vector3d p = points.positions[point].cast<double>();
+  const Eigen::Vector3d n = points.normals[point].cast<double>();
+  const Eigen::Vector3d t = direction.cast<double>();
+  Across across;
+  double most_ahead = 0.0;
+  double most_behind = 0.0;
+  for (const index_t q : star) {
+    const Eigen::Vector3d e = points.positions[q].cast<double>() - p;
+    const Eigen::Vector3d projected = e - e.dot (n) * n;
+    const double length = projected.norm();
+    if (length == 0.0)
+      continue;
+    const double cosine = projected.dot (t) / length;
+    if (cosine > most_ahead) {
+      most_ahead = cosine;
+      across.ahead = q;
+    }
+    if (cosine < most_behind) {
+      most_behind = cosine;
+      across.behind = q;
+    }
+  }
+  return across;
+}
+
+CrestType
+classify (const OrientedPoints& points,
+          index_t point,
+          const Star& star,
+          const std::vector<PrincipalCurvature>& curvature,
+          const PerType<double>& maximality)
+{
+  const PrincipalCurvature& own = curvature[point];
+  if (!own.valid || own.k1 == 0.0F || own.k1 == -own.k2)
+    return CrestType::NONE;
+  const Across across = neighborsAcross (points, point, star, own.t1);
+  if (across.ahead == OrientedPoints::INVALID ||
+      across.behind == OrientedPoints::INVALID)
+    return CrestType::NONE;
+
+  const CrestType type = own.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
+  const auto squared = [] (float k) { return static_cast<double> (k) * k; };
+  const auto exceeds = [&] (const PrincipalCurvature& other) {
+    return other.valid && squared (own.k1) - squared (other.k1) > maximality[type];
+  };
+  return exceeds (curvature[across.ahead]) && exceeds (curvature[across.behind])
+             ? type
+             : CrestType::NONE;
+}
+
+} // namespace
+
+PerType<double>
+absoluteMaximality (const OrientedPoints& points, const Parameters& parameters)
+{
+  if (parameters.absolute_maximality || points.extent == 0.0)
+    return parameters.maximality;
+  constexpr double PAPER_EXTENT = 10.0;
+  const double unit = points.extent / PAPER_EXTENT;
+  return {parameters.maximality.ridge / (unit * unit),
+          parameters.maximality.valley / (unit * unit)};
+}
+
+std::vector<CrestType>
+classifyCrestPoints (const OrientedPoints& points,
+                     const SurfaceGraph& graph,
+                     const std::vector<PrincipalCurvature>& curvature,
+                     const PerType<double>& maximality,
+                     unsigned threads)
+{
+  std::vector<CrestType> types (points.size(), CrestType::NONE);
+  forEachBlock (
+      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          const auto point = static_cast<index_t> (i);
+          types[i] =
+              classify (points, point, graph.star (point), curvature, maximality);
+        }
+      });
+  return types;
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/oriented_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief Spreads the lowest 21 bits to every third bit. */
+std::uint64_t
+spreadBits (std::uint64_t v)
+{
+  v &= 0x1fffffULL;
+  v = (v | v << 32) & 0x001f00000000ffffULL;
+  v = (v | v << 16) & 0x001f0000ff0000ffULL;
+  v = (v | v << 8) & 0x100f00f00f00f00fULL;
+  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
+  v = (v | v << 2) & 0x1249249249249249ULL;
+  return v;
+}
+
+std::uint64_t
+mortonCode (const Eigen::Vector3f& p, const Eigen::Vector3f& low, double cells_per_unit)
+{
+  const Eigen::Vector3d cell = (p - low).cast<double>() * cells_per_unit;
+  return spreadBits (static_cast<std::uint64_t> (cell.x())) |
+         spreadBits (static_cast<std::uint64_t> (cell.y())) << 1 |
+         spreadBits (static_cast<std::uint64_t> (cell.z())) << 2;
+}
+
+struct Sample {
+  std::uint64_t code;
+  Eigen::Vector3f position;
+  index_t cloud_index;
+
+  bool
+  operator<(const Sample& o) const
+  {
+    return std::make_tuple (
+               code, position.x(), position.y(), position.z(), cloud_index) <
+           std::make_tuple (
+               o.code, o.position.x(), o.position.y(), o.position.z(), o.cloud_index);
+  }
+};
+
+Eigen::Vector3f
+positionOf (const PointView& cloud, std::size_t i)
+{
+  // Adding zero turns -0 into +0, so that equal coordinates have equal bits.
+  return Eigen::Map<const Eigen::Vector3f> (cloud.position + i * cloud.stride).array() +
+         0.0F;
+}
+
+Eigen::Vector3d
+normalOf (const PointView& cloud, std::size_t i)
+{
+  return Eigen::Map<const Eigen::Vector3f> (cloud.normal + i * cloud.stride)
+      .cast<double>()
+      .stableNormalized();
+}
+
+bool
+isValid (const PointView& cloud, std::size_t i)
+{
+  const Eigen::Map<const Eigen::Vector3f> normal (cloud.normal + i * cloud.stride);
+  return positionOf (cloud, i).allFinite() && normal.allFinite() &&
+         normal.cwiseAbs().maxCoeff() > 0.0F;
+}
+
+/** \brief The valid points in Morton order, coincident ones next to each other. */
+std::vector<Sample>
+sortedSamples (const PointView& cloud, double& extent)
+{
+  std::vector<Sample> samples;
+  samples.reserve (cloud.size);
+  Eigen::Vector3f low =
+      Eigen::Vector3f::Constant (std::numeric_limits<float>::infinity());
+  Eigen::Vector3f high = -low;
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (isValid (cloud, i)) {
+      const Eigen::Vector3f p = positionOf (cloud, i);
+      low = low.cwiseMin (p);
+      high = high.cwiseMax (p);
+      samples.push_back ({0, p, static_cast<index_t> (i)});
+    }
+  if (samples.empty())
+    return samples;
+
+  extent = (high.cast<double>() - low.cast<double>()).maxCoeff();
+  constexpr double CELLS = (1 << 21) - 1;
+  if (extent > 0.0)
+    for (Sample& sample : samples)
+      sample.code = mortonCode (sample.position, low, CELLS / extent);
+  std::sort (samples.begin(), samples.end());
+  return samples;
+}
+
+} // namespace
+
+OrientedPoints
+packOrientedPoints (const PointView& cloud)
+{
+  OrientedPoints points;
+  points.packed_index.assign (cloud.size, OrientedPoints::INVALID);
+  const std::vector<Sample> samples = sortedSamples (cloud, points.extent);
+  points.positions.reserve (samples.size());
+  points.normals.reserve (samples.size());
+  points.cloud_index.reserve (samples.size());
+
+  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
+    const auto packed = static_cast<index_t> (points.size());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (end = begin;
+         end < samples.size() && samples[end].position == samples[begin].position;
+         ++end) {
+      sum += normalOf (cloud, samples[end].cloud_index);
+      points.packed_index[samples[end].cloud_index] = packed;
+    }
+    // Normals that cancel out leave no mean; the first is then as good as any.
+    if (sum.norm() < 1e-6)
+      sum = normalOf (cloud, samples[begin].cloud_index);
+    points.positions.push_back (samples[begin].position);
+    points.normals.emplace_back (sum.normalized().cast<float>());
+    points.cloud_index.push_back (samples[begin].cloud_index);
+  }
+  return points;
+}
+
+} // namespace crest
+} // namespace pcl

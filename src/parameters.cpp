@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/parameters.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+template <typename T>
+std::string
+complain (const char* name, const T& value, const char* wanted)
+{
+  std::ostringstream message;
+  message << name << " is " << value << ", but must be " << wanted;
+  return message.str();
+}
+
+} // namespace
+
+std::string
+explainInvalid (const Parameters& p)
+{
+  if (p.radius < 0.0 || !std::isfinite (p.radius))
+    return complain ("the search radius", p.radius, "finite and not negative");
+  if (p.radius == 0.0 && p.k < 4)
+    return complain ("k", p.k, "at least 4 (the point and three neighbours)");
+  if (p.points_per_quadrant < 1 || p.points_per_quadrant > 16)
+    return complain (
+        "the number of points per quadrant", p.points_per_quadrant, "from 1 to 16");
+  if (!(p.max_normal_angle > 0.0 && p.max_normal_angle <= 180.0))
+    return complain ("the largest angle between neighbouring normals",
+                     p.max_normal_angle,
+                     "above 0 and at most 180 degrees");
+  for (const CrestType type : CREST_TYPES) {
+    if (!(p.maximality[type] >= 0.0 && std::isfinite (p.maximality[type])))
+      return complain ("M", p.maximality[type], "finite and not negative");
+    if (p.min_size[type] < 0)
+      return complain ("S", p.min_size[type], "not negative");
+  }
+  if (p.prune < 0)
+    return complain ("the largest branch to prune", p.prune, "not negative");
+  if (!p.wanted.ridge && !p.wanted.valley)
+    return "neither ridges nor valleys are wanted: choose at least one";
+  return {};
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/surface_graph.h>
+
+#include <Eigen/Geometry>
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+struct Candidate {
+  double squared_distance;
+  index_t point;
+
+  bool
+  operator<(const Candidate& o) const
+  {
+    return squared_distance != o.squared_distance
+               ? squared_distance < o.squared_distance
+               : point < o.point;
+  }
+};
+
+/** \brief What the filter leaves of one block of points. */
+struct FilteredBlock {
+  std::vector<index_t> neighbors;
+  double spacing_sum = 0.0;
+};
+
+class QuadrantFilter {
+public:
+  QuadrantFilter (const OrientedPoints& points, const Parameters& parameters)
+  : points_ (points)
+  , intervals_ (4 * parameters.points_per_quadrant)
+  , per_quadrant_ (parameters.points_per_quadrant)
+  , width_ (2.0 * M_PI / intervals_)
+  // A jump is an angle above the limit; the slack keeps right angles, exact on boxes.
+  , min_cosine_ (std::cos (parameters.max_normal_angle * M_PI / 180.0) - 1e-6)
+  {}
+
+  /** \brief Sorts the found points by distance, then index; drops the point itself. */
+  void
+  rank (index_t point, const std::vector<index_t>& found)
+  {
+    candidates_.clear();
+    const Eigen::Vector3d p = points_.positions[point].cast<double>();
+    for (const index_t q : found)
+      if (q != point)
+        candidates_.push_back (
+            {(points_.positions[q].cast<double>() - p).squaredNorm(), q});
+    std::sort (candidates_.begin(), candidates_.end());
+    // A search over the raw cloud may find a sample twice, as two coincident points.
+    const auto same = [] (const Candidate& a, const Candidate& b) {
+      return a.point == b.point;
+    };
+    candidates_.erase (std::unique (candidates_.begin(), candidates_.end(), same),
+                       candidates_.end());
+  }
+
+  double
+  spacing () const
+  {
+    const std::size_t count = std::min<std::size_t> (6, candidates_.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      sum += std::sqrt (candidates_[i].squared_distance);
+    return count == 0 ? 0.0 : sum / static_cast<double> (count);
+  }
+
+  /** \brief Appends the neighbours of the ranked point; returns whether it lies on the
+   * boundary.
+   */
+  bool
+  select (index_t point, std::vector<index_t>& neighbors)
+  {
+    nearest_.assign (intervals_, -1.0);
+    const Eigen::Vector3d p = points_.positions[point].cast<double>();
+    const Eigen::Vector3d n = points_.normals[point].cast<double>();
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    Eigen::Vector3d y = x;
+    for (const Candidate& candidate : candidates_) {
+      if (points_.normals[candidate.point].cast<double>().dot (n) < min_cosine_)
+        continue;
+      const Eigen::Vector3d e = points_.positions[candidate.point].cast<double>() - p;
+      const Eigen::Vector3d projected = e - e.dot (n) * n;
+      // Straight above or below the point there is no polar angle.
+      if (projected.squaredNorm() < 1e-6 * candidate.squared_distance)
+        continue;
+      if (x.isZero (0.0)) {
+        x = projected.normalized();
+        y = n.cross (x);
+      }
+      double& nearest = nearest_[interval (e.dot (x), e.dot (y))];
+      constexpr double EQUIDISTANT = 1.0 + 1e-5;
+      if (nearest < 0.0)
+        nearest = candidate.squared_distance;
+      if (candidate.squared_distance <= nearest * EQUIDISTANT)
+        neighbors.push_back (candidate.point);
+    }
+    return hasEmptyQuadrant();
+  }
+
+private:
+  /** \brief The interval of a direction in the tangent plane: 0 is centred on the x
+   * axis, borders belong to the side nearer to it.
+   */
+  int
+  interval (double x, double y) const
+  {
+    const double angle = std::atan2 (y, x);
+    const int away = std::max (
+        0, static_cast<int> (std::ceil (std::abs (angle) / width_ - 0.5 - 1e-9)));
+    return angle >= 0.0 || away == 0 ? away : intervals_ - away;
+  }
+
+  bool
+  hasEmptyQuadrant () const
+  {
+    int run = 0;
+    for (int i = 0; i < intervals_ + per_quadrant_; ++i) {
+      run = nearest_[i % intervals_] < 0.0 ? run + 1 : 0;
+      if (run == per_quadrant_)
+        return true;
+    }
+    return false;
+  }
+
+  const OrientedPoints& points_;
+  int intervals_;
+  int per_quadrant_;
+  double width_;
+  double min_cosine_;
+  std::vector<Candidate> candidates_;
+  std::vector<double> nearest_;
+};
+
+/** \brief Stars as the filter chose them: an edge may be known at one end only. */
+SurfaceGraph
+filterNeighbors (const OrientedPoints& points,
+                 const NeighborSearch& search,
+                 const Parameters& parameters)
+{
+  const std::size_t size = points.size();
+  SurfaceGraph directed;
+  directed.offsets.assign (size + 1, 0);
+  directed.boundary.assign (size, 0);
+  std::vector<FilteredBlock> blocks (blockCount (size));
+  forEachBlock (size,
+                parameters.threads,
+                [&] (std::size_t block, std::size_t first, std::size_t last) {
+                  QuadrantFilter filter (points, parameters);
+                  std::vector<index_t> found;
+                  FilteredBlock& filtered = blocks[block];
+                  for (std::size_t i = first; i < last; ++i) {
+                    const auto point = static_cast<index_t> (i);
+                    search (point, found);
+                    filter.rank (point, found);
+                    filtered.spacing_sum += filter.spacing();
+                    const std::size_t before = filtered.neighbors.size();
+                    directed.boundary[i] =
+                        filter.select (point, filtered.neighbors) ? 1 : 0;
+                    directed.offsets[i + 1] = filtered.neighbors.size() - before;
+                  }
+                });
+
+  for (std::size_t i = 0; i < size; ++i)
+    directed.offsets[i + 1] += directed.offsets[i];
+  directed.neighbors.reserve (directed.offsets.back());
+  double spacing_sum = 0.0;
+  for (const FilteredBlock& block : blocks) {
+    directed.neighbors.insert (
+        directed.neighbors.end(), block.neighbors.begin(), block.neighbors.end());
+    spacing_sum += block.spacing_sum;
+  }
+  directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
+  return directed;
+}
+
+bool
+contains (const Star& star, index_t point)
+{
+  return std::find (star.begin(), star.end(), point) != star.end();
+}
+
+/** \brief "Visiting every point p, getting all its neighbors p_i and assigning p as
+ * p_i's neighbor, if it was not already a neighbor" (4.1).
+ */
+SurfaceGraph
+symmetrize (SurfaceGraph&& directed)
+{
+  const auto size = static_cast<index_t> (directed.size());
+  SurfaceGraph graph;
+  graph.boundary = std::move (directed.boundary);
+  graph.mean_spacing = directed.mean_spacing;
+  graph.offsets.assign (static_cast<std::size_t> (size) + 1, 0);
+  for (index_t p = 0; p < size; ++p)
+    for (const index_t q : directed.star (p)) {
+      ++graph.offsets[p + 1];
+      if (!contains (directed.star (q), p))
+        ++graph.offsets[q + 1];
+    }
+  for (index_t p = 0; p < size; ++p)
+    graph.offsets[p + 1] += graph.offsets[p];
+
+  graph.neighbors.resize (graph.offsets.back());
+  std::vector<std::size_t> next (graph.offsets.begin(), graph.offsets.end() - 1);
+  for (index_t p = 0; p < size; ++p)
+    for (const index_t q : directed.star (p)) {
+      graph.neighbors[next[p]++] = q;
+      if (!contains (directed.star (q), p))
+        graph.neighbors[next[q]++] = p;
+    }
+  for (index_t p = 0; p < size; ++p)
+    std::sort (graph.neighbors.begin() + static_cast<std::ptrdiff_t> (graph.offsets[p]),
+               graph.neighbors.begin() +
+                   static_cast<std::ptrdiff_t> (graph.offsets[p + 1]));
+  return graph;
+}
+
+} // namespace
+
+SurfaceGraph
+buildSurfaceGraph (const OrientedPoints& points,
+                   const NeighborSearch& search,
+                   const Parameters& parameters)
+{
+  return symmetrize (filterNeighbors (points, search, parameters));
+}
+
+} // namespace crest
+} // namespace pcl
