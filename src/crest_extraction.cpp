@@ -47,7 +47,7 @@ extractCrests (const OrientedPoints& points,
         pruneBranches (points, forest, largest_branch);
     watch.stageDone ("pruning");
     std::vector<CrestLine> lines =
-        traceLines (points, shape.graph, pruned, type, largest_branch);
+        traceLines (points, shape.graph, members, pruned, type, largest_branch);
     crests.sizes[type] = lineSizes (lines);
     lines = removeSmallLines (std::move (lines),
                               static_cast<std::size_t> (parameters.min_size[type]));

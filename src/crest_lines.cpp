@@ -3,13 +3,30 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <queue>
 #include <tuple>
+#include <unordered_map>
 
 namespace pcl {
 namespace crest {
 
 namespace {
+
+double
+distance (const OrientedPoints& points, index_t a, index_t b)
+{
+  return (points.positions[b] - points.positions[a]).cast<double>().norm();
+}
+
+double
+polylineLength (const OrientedPoints& points, const std::vector<index_t>& polyline)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+    sum += distance (points, polyline[i - 1], polyline[i]);
+  return sum;
+}
 
 /** \brief A forest whose edges can be walked along and removed. Points are numbered
  * locally, in the order of their packed indices.
@@ -62,14 +79,6 @@ public:
   {
     return degree (v) > 2;
   }
-  double
-  distance (int v, int w) const
-  {
-    return (points_.positions[vertices_[v]] - points_.positions[vertices_[w]])
-        .cast<double>()
-        .norm();
-  }
-
   void
   removeEdge (int v, int w)
   {
@@ -96,7 +105,7 @@ public:
   {
     double sum = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i)
-      sum += distance (path[i - 1], path[i]);
+      sum += distance (points_, packed (path[i - 1]), packed (path[i]));
     return sum;
   }
 
@@ -218,11 +227,58 @@ branchesOf (const Forest& forest, const std::vector<int>& tree)
   return branches;
 }
 
-bool
-shareEdge (const SurfaceGraph& graph, index_t a, index_t b)
+/** \brief The shortest way back from the last point of a line to the first, through
+ * members that are not on it: the points in between, if `most` of them are enough.
+ */
+std::optional<std::vector<index_t>>
+wayBack (const SurfaceGraph& graph,
+         const std::vector<Membership>& membership,
+         const std::vector<index_t>& line,
+         std::size_t most)
 {
-  const Star star = graph.star (a);
-  return std::binary_search (star.begin(), star.end(), b);
+  std::unordered_map<index_t, index_t> reached_from;
+  for (const index_t p : line)
+    reached_from[p] = p;
+  reached_from.erase (line.back());
+  std::vector<index_t> front{line.front()};
+  for (std::size_t between = 0; between <= most && !front.empty(); ++between) {
+    std::vector<index_t> next;
+    for (const index_t p : front)
+      for (const index_t q : graph.star (p))
+        if (membership[q] != Membership::OUTSIDE && reached_from.emplace (q, p).second)
+          next.push_back (q);
+    front.swap (next);
+    if (reached_from.count (line.back()) == 0)
+      continue;
+    std::vector<index_t> way;
+    for (index_t p = reached_from[line.back()]; p != line.front(); p = reached_from[p])
+      way.push_back (p);
+    return way;
+  }
+  return std::nullopt;
+}
+
+/** \brief Closes a line without junction if the spanning tree has cut a loop there. */
+void
+closeLoop (const SurfaceGraph& graph,
+           const std::vector<Membership>& membership,
+           std::size_t largest_branch,
+           CrestLine& line)
+{
+  if (line.polylines.size() != 1 ||
+      line.size <= std::max<std::size_t> (2, largest_branch))
+    return;
+  // A straight line, too, has a way back beside itself, but not with a quarter of its
+  // points.
+  std::vector<index_t>& points = line.polylines.front();
+  const auto way =
+      wayBack (graph, membership, points, std::min (largest_branch, line.size / 4));
+  if (!way)
+    return;
+  line.closed = true;
+  line.size += way->size();
+  points.insert (points.end(), way->begin(), way->end());
+  points.push_back (points.front());
 }
 
 } // namespace
@@ -241,6 +297,7 @@ pruneBranches (const OrientedPoints& points,
 std::vector<CrestLine>
 traceLines (const OrientedPoints& points,
             const SurfaceGraph& graph,
+            const std::vector<Membership>& membership,
             const std::vector<CrestEdge>& edges,
             CrestType type,
             std::size_t largest_branch)
@@ -252,23 +309,17 @@ traceLines (const OrientedPoints& points,
     if (seen[v])
       continue;
     const std::vector<int> tree = component (forest, v, seen);
-    std::vector<std::vector<int>> branches = branchesOf (forest, tree);
     CrestLine line;
     line.type = type;
     line.size = tree.size();
-    if (branches.size() == 1 && line.size > std::max<std::size_t> (2, largest_branch)) {
-      std::vector<int>& only = branches.front();
-      line.closed =
-          shareEdge (graph, forest.packed (only.front()), forest.packed (only.back()));
-      if (line.closed)
-        only.push_back (only.front());
-    }
-    for (const std::vector<int>& branch : branches) {
-      line.length += forest.length (branch);
+    for (const std::vector<int>& branch : branchesOf (forest, tree)) {
       std::vector<index_t>& polyline = line.polylines.emplace_back();
       for (const int w : branch)
         polyline.push_back (forest.packed (w));
     }
+    closeLoop (graph, membership, largest_branch, line);
+    for (const std::vector<index_t>& polyline : line.polylines)
+      line.length += polylineLength (points, polyline);
     lines.push_back (std::move (line));
   }
   std::stable_sort (

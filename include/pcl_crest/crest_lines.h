@@ -51,15 +51,21 @@ pruneBranches (const OrientedPoints& points,
 
 /** \brief Follows the edges of a forest to lines, in packed indices.
  *
- * A spanning tree cuts every loop once. Where the two ends of a line without junction
- * share an edge of the surface graph and the line is longer than a branch that would be
- * pruned, that edge is put back and the line is closed.
+ * A spanning tree cuts every loop of its crest graph. Where a line without junction,
+ * longer than a branch that would be pruned, is cut so that no more than that many
+ * points, and no more than a quarter of its own, lead back from one end to the other
+ * within the crest graph, these are put back and the line is closed.
  *
+ * \param[in] points, graph, membership what the forest was made from
+ * \param[in] forest its edges after pruning
+ * \param[in] type of the lines
+ * \param[in] largest_branch the largest size that was pruned
  * \return the lines, largest first
  */
 std::vector<CrestLine>
 traceLines (const OrientedPoints& points,
             const SurfaceGraph& graph,
+            const std::vector<Membership>& membership,
             const std::vector<CrestEdge>& forest,
             CrestType type,
             std::size_t largest_branch);

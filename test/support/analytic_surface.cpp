@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "analytic_surface.h"
+
+#include <pcl/search/kdtree.h>
+
+#include <boost/math/differentiation/autodiff.hpp>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace oracle {
+
+namespace {
+
+using boost::math::differentiation::make_ftuple;
+constexpr double PI = 3.14159265358979323846;
+
+/** \brief Makes a surface of a formula that maps (u, v) of any number type to xyz. */
+template <typename Formula>
+AnalyticSurface
+make (std::string name,
+      double u_min,
+      double u_max,
+      double v_min,
+      double v_max,
+      Formula formula)
+{
+  const auto position = [formula] (double u, double v) {
+    const std::array<double, 3> x = formula (u, v);
+    return Eigen::Vector3d (x[0], x[1], x[2]);
+  };
+  const auto derivatives = [formula] (double u, double v) {
+    const auto variables = make_ftuple<double, 3, 3> (u, v);
+    // The first variable knows nothing of the second: adding zero makes them one type.
+    const auto zero = 0.0 * std::get<0> (variables) * std::get<1> (variables);
+    const auto x =
+        formula (std::get<0> (variables) + zero, std::get<1> (variables) + zero);
+    Derivatives result;
+    for (int i = 0; i <= 3; ++i)
+      for (int j = 0; i + j <= 3; ++j)
+        for (int axis = 0; axis < 3; ++axis)
+          result.d[i][j][axis] = x[axis].derivative (i, j);
+    return result;
+  };
+  return {std::move (name), u_min, u_max, v_min, v_max, position, derivatives};
+}
+
+/** \brief A surface that a radius as a function of the unit direction describes. */
+template <typename Radius>
+AnalyticSurface
+makeRadial (std::string name, double v_limit, Radius radius)
+{
+  return make (std::move (name), -PI, PI, -v_limit, v_limit, [radius] (auto u, auto v) {
+    using T = decltype (u);
+    const T x = cos (u) * cos (v);
+    const T y = sin (u) * cos (v);
+    const T z = sin (v);
+    const T r = radius (x, y, z);
+    return std::array<T, 3>{r * x, r * y, r * z};
+  });
+}
+
+} // namespace
+
+AnalyticSurface
+sphere (double radius)
+{
+  return makeRadial (
+      "sphere", 1.5, [radius] (auto x, auto, auto) { return 0.0 * x + radius; });
+}
+
+AnalyticSurface
+plane ()
+{
+  return make ("plane", -1.0, 1.0, -1.0, 1.0, [] (auto u, auto v) {
+    using T = decltype (u);
+    return std::array<T, 3>{u, v, 0.0 * u};
+  });
+}
+
+AnalyticSurface
+ellipsoid (double a, double b, double c)
+{
+  return make ("ellipsoid", -PI, PI, -1.45, 1.45, [=] (auto u, auto v) {
+    using T = decltype (u);
+    return std::array<T, 3>{a * cos (u) * cos (v), b * sin (u) * cos (v), c * sin (v)};
+  });
+}
+
+AnalyticSurface
+wavyRidge ()
+{
+  return make ("wavy ridge", -1.0, 1.0, -0.8, 0.8, [] (auto u, auto v) {
+    using T = decltype (u);
+    const T across = v - 0.25 * sin (3.0 * u);
+    return std::array<T, 3>{u, v, 0.18 * exp (-across * across / (2.0 * 0.12 * 0.12))};
+  });
+}
+
+AnalyticSurface
+bumpySphere ()
+{
+  return makeRadial ("bumpy sphere", 1.3, [] (auto x, auto y, auto z) {
+    const auto bump = [] (auto across, auto along) {
+      return 0.25 * exp (-across * across / (2.0 * 0.1 * 0.1) -
+                         along * along / (2.0 * 0.3 * 0.3));
+    };
+    return 1.0 + bump (x, y) + bump (y, z) + bump (z, x);
+  });
+}
+
+AnalyticSurface
+roundedBox ()
+{
+  return makeRadial ("rounded box", 1.3, [] (auto x, auto y, auto z) {
+    const auto sixth_power = [] (auto a) { return a * a * a * a * a * a; };
+    return exp (-log (sixth_power (x) + sixth_power (y) + sixth_power (z)) / 6.0);
+  });
+}
+
+AnalyticSurface
+ellipticTorus ()
+{
+  return make ("elliptic torus", -PI, PI, -PI, PI, [] (auto u, auto v) {
+    using T = decltype (u);
+    const T r = 1.0 + 0.22 * cos (v);
+    return std::array<T, 3>{r * cos (u), r * sin (u), 0.42 * sin (v)};
+  });
+}
+
+AnalyticSurface
+ridgeAndValley ()
+{
+  return make ("ridge and valley", -1.0, 1.0, -0.9, 0.9, [] (auto u, auto v) {
+    using T = decltype (u);
+    const T from_ridge = v - 0.4 - 0.08 * cos (3.0 * u);
+    const T from_valley = v + 0.35 + 0.12 * sin (2.5 * u);
+    const T z =
+        0.16 * exp (-from_ridge * from_ridge / (2.0 * 0.10 * 0.10)) -
+        (0.14 + 0.05 * u) * exp (-from_valley * from_valley / (2.0 * 0.13 * 0.13));
+    return std::array<T, 3>{u, v, z};
+  });
+}
+
+Eigen::Vector3d
+unitNormal (const AnalyticSurface& surface, double u, double v)
+{
+  const Derivatives x = surface.derivatives (u, v);
+  return x.d[1][0].cross (x.d[0][1]).normalized();
+}
+
+pcl::PointCloud<pcl::PointNormal>::Ptr
+sample (const AnalyticSurface& surface, std::size_t count, unsigned seed)
+{
+  std::mt19937 random (seed);
+  std::uniform_real_distribution<double> in_u (surface.u_min, surface.u_max);
+  std::uniform_real_distribution<double> in_v (surface.v_min, surface.v_max);
+  const auto areaElement = [&] (double u, double v) {
+    constexpr double STEP = 1e-4;
+    const Eigen::Vector3d along_u =
+        surface.position (u + STEP, v) - surface.position (u - STEP, v);
+    const Eigen::Vector3d along_v =
+        surface.position (u, v + STEP) - surface.position (u, v - STEP);
+    return along_u.cross (along_v).norm() / (4.0 * STEP * STEP);
+  };
+
+  double largest = 0.0;
+  double mean = 0.0;
+  constexpr int PROBES = 20000;
+  for (int i = 0; i < PROBES; ++i) {
+    const double element = areaElement (in_u (random), in_v (random));
+    largest = std::max (largest, element);
+    mean += element / PROBES;
+  }
+  const double area =
+      mean * (surface.u_max - surface.u_min) * (surface.v_max - surface.v_min);
+  // Disks thrown until hardly any more fit cover the plane to this degree.
+  const double disk = 0.77 * std::sqrt (area / static_cast<double> (count));
+
+  using Cell = std::array<int, 3>;
+  std::map<Cell, std::vector<Eigen::Vector3d>> taken;
+  const auto cellOf = [&] (const Eigen::Vector3d& p) {
+    return Cell{static_cast<int> (std::floor (p.x() / disk)),
+                static_cast<int> (std::floor (p.y() / disk)),
+                static_cast<int> (std::floor (p.z() / disk))};
+  };
+  const auto isFree = [&] (const Eigen::Vector3d& p) {
+    const Cell center = cellOf (p);
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k) {
+          const auto cell = taken.find ({center[0] + i, center[1] + j, center[2] + k});
+          if (cell == taken.end())
+            continue;
+          for (const Eigen::Vector3d& q : cell->second)
+            if ((p - q).squaredNorm() < disk * disk)
+              return false;
+        }
+    return true;
+  };
+
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
+  std::uniform_real_distribution<double> in_area (0.0, largest);
+  for (std::size_t thrown = 0; thrown < 30 * count;) {
+    const double u = in_u (random);
+    const double v = in_v (random);
+    if (areaElement (u, v) < in_area (random))
+      continue;
+    ++thrown;
+    const Eigen::Vector3d p = surface.position (u, v);
+    if (!isFree (p))
+      continue;
+    taken[cellOf (p)].push_back (p);
+    pcl::PointNormal point;
+    point.getVector3fMap() = p.cast<float>();
+    point.getNormalVector3fMap() = unitNormal (surface, u, v).cast<float>();
+    cloud->push_back (point);
+  }
+  return cloud;
+}
+
+double
+meanSpacing (const pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  pcl::search::KdTree<pcl::PointNormal> tree;
+  tree.setInputCloud (cloud.makeShared());
+  pcl::Indices found;
+  std::vector<float> squared;
+  double sum = 0.0;
+  for (const pcl::PointNormal& point : cloud) {
+    tree.nearestKSearch (point, 7, found, squared);
+    for (std::size_t i = 1; i < squared.size(); ++i)
+      sum += std::sqrt (squared[i]) / 6.0;
+  }
+  return sum / static_cast<double> (cloud.size());
+}
+
+} // namespace oracle

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/neighbor_search.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "support/analytic_surface.h"
+#include "support/stage_inputs.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+using namespace pcl::crest;
+
+namespace {
+
+Parameters
+withNeighbors (int k, int points_per_quadrant = 2)
+{
+  Parameters parameters;
+  parameters.k = k;
+  parameters.points_per_quadrant = points_per_quadrant;
+  return parameters;
+}
+
+/** \brief Section 4.1 written down once more, plainly: for each interval look at all
+ * points and keep those nearest. Reference axis: the nearest point that can be seen in
+ * the tangent plane.
+ */
+std::set<pcl::index_t>
+filterPlainly (const OrientedPoints& points,
+               pcl::index_t p,
+               const std::vector<pcl::index_t>& found,
+               int points_per_quadrant)
+{
+  const Eigen::Vector3d n = points.normals[p].cast<double>();
+  std::vector<pcl::index_t> candidates;
+  for (const pcl::index_t q : found)
+    if (q != p && points.normals[q].cast<double>().dot (n) > 0.0)
+      candidates.push_back (q);
+  const auto edge = [&] (pcl::index_t q) -> Eigen::Vector3d {
+    return (points.positions[q] - points.positions[p]).cast<double>();
+  };
+  const auto squared = [&] (pcl::index_t q) { return edge (q).squaredNorm(); };
+  const pcl::index_t nearest =
+      *std::min_element (candidates.begin(), candidates.end(), [&] (auto a, auto b) {
+        return squared (a) < squared (b);
+      });
+  const Eigen::Vector3d x = (edge (nearest) - edge (nearest).dot (n) * n).normalized();
+  const double width = M_PI / 2.0 / points_per_quadrant;
+  std::set<pcl::index_t> chosen;
+  for (int interval = 0; interval < 4 * points_per_quadrant; ++interval) {
+    double best = std::numeric_limits<double>::infinity();
+    std::vector<pcl::index_t> inside;
+    const Eigen::Vector3d axis = Eigen::AngleAxisd (interval * width, n) * x;
+    for (const pcl::index_t q : candidates) {
+      const Eigen::Vector3d projected = edge (q) - edge (q).dot (n) * n;
+      const double angle = std::acos (
+          std::max (-1.0, std::min (1.0, projected.normalized().dot (axis))));
+      if (angle < width / 2.0) {
+        inside.push_back (q);
+        best = std::min (best, squared (q));
+      }
+    }
+    for (const pcl::index_t q : inside)
+      if (squared (q) <= best * (1.0 + 1e-5))
+        chosen.insert (q);
+  }
+  return chosen;
+}
+
+std::set<pcl::index_t>
+starOf (const SurfaceGraph& graph, pcl::index_t p)
+{
+  return {graph.star (p).begin(), graph.star (p).end()};
+}
+
+pcl::PointCloud<pcl::PointNormal>
+lattice (int side)
+{
+  pcl::PointCloud<pcl::PointNormal> cloud;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      pcl::PointNormal point;
+      point.x = static_cast<float> (i);
+      point.y = static_cast<float> (j);
+      point.normal_z = 1.0F;
+      cloud.push_back (point);
+    }
+  return cloud;
+}
+
+} // namespace
+
+class QuadrantFilter : public testing::TestWithParam<int> {};
+
+TEST_P (QuadrantFilter, EqualsThePlainFilterMadeSymmetric)
+{
+  const int points_per_quadrant = GetParam();
+  const auto cloud = oracle::sample (oracle::bumpySphere(), 1500);
+  const OrientedPoints points = oracle::pack (*cloud);
+  const NeighborSearch search = oracle::bruteForceSearch (points, 24);
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, search, withNeighbors (24, points_per_quadrant));
+
+  std::vector<std::set<pcl::index_t>> expected (points.size());
+  pcl::Indices found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto p = static_cast<pcl::index_t> (i);
+    search (p, found);
+    for (const pcl::index_t q : filterPlainly (points, p, found, points_per_quadrant)) {
+      expected[p].insert (q);
+      expected[q].insert (p);
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_EQ (starOf (graph, static_cast<pcl::index_t> (i)), expected[i]) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P (PointsPerQuadrant, QuadrantFilter, testing::Values (1, 2, 3));
+
+TEST (SurfaceGraph, IsSymmetricSortedAndWithoutDuplicates)
+{
+  const auto cloud = oracle::sample (oracle::ellipticTorus(), 3000);
+  const OrientedPoints points = oracle::pack (*cloud);
+  const Parameters parameters;
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  ASSERT_EQ (graph.size(), points.size());
+  for (pcl::index_t p = 0; p < static_cast<pcl::index_t> (graph.size()); ++p) {
+    const Star star = graph.star (p);
+    EXPECT_TRUE (std::is_sorted (star.begin(), star.end()));
+    EXPECT_EQ (starOf (graph, p).size(), star.size());
+    EXPECT_EQ (starOf (graph, p).count (p), 0U);
+    for (const pcl::index_t q : star)
+      EXPECT_EQ (starOf (graph, q).count (p), 1U);
+  }
+}
+
+TEST (SurfaceGraph, PclsTreeFindsWhatBruteForceFinds)
+{
+  const auto cloud = oracle::sample (oracle::wavyRidge(), 2000);
+  const OrientedPoints points = oracle::pack (*cloud);
+  const Parameters parameters = withNeighbors (16);
+  const SurfaceGraph by_tree =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  const SurfaceGraph by_force =
+      buildSurfaceGraph (points, oracle::bruteForceSearch (points, 16), parameters);
+  EXPECT_EQ (by_tree.offsets, by_force.offsets);
+  EXPECT_EQ (by_tree.neighbors, by_force.neighbors);
+}
+
+TEST (SurfaceGraph, LatticePointsAreJoinedWithTheEightAround)
+{
+  const OrientedPoints points = oracle::pack (lattice (9));
+  const Parameters parameters = withNeighbors (9);
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  const pcl::index_t center = points.packed_index[4 * 9 + 4];
+  std::set<pcl::index_t> around;
+  for (const int i : {3, 4, 5})
+    for (const int j : {3, 4, 5})
+      if (i != 4 || j != 4)
+        around.insert (points.packed_index[i * 9 + j]);
+  EXPECT_EQ (starOf (graph, center), around);
+}
+
+TEST (SurfaceGraph, EquidistantPointsOfOneIntervalAreAllKept)
+{
+  // One point ahead fixes the axis; two more, equally far, share the interval at 45
+  // degrees, a third one behind them does not count.
+  const auto direction = [] (double degrees, float length) {
+    const double a = degrees * M_PI / 180.0;
+    return Eigen::Vector3f (length * static_cast<float> (std::cos (a)),
+                            length * static_cast<float> (std::sin (a)),
+                            0.0F);
+  };
+  const OrientedPoints points = oracle::pointsAt ({Eigen::Vector3f::Zero(),
+                                                   direction (0, 1.0F),
+                                                   direction (35, 2.0F),
+                                                   direction (55, 2.0F),
+                                                   direction (45, 2.5F)});
+  pcl::Indices everything{0, 1, 2, 3, 4};
+  const NeighborSearch search = [&] (pcl::index_t p, pcl::Indices& found) {
+    found = p == 0 ? everything : pcl::Indices{p};
+  };
+  const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (5));
+  EXPECT_EQ (starOf (graph, 0), (std::set<pcl::index_t>{1, 2, 3}));
+}
+
+TEST (SurfaceGraph, SheetsBackToBackAreNotJoined)
+{
+  pcl::PointCloud<pcl::PointNormal> sheets = lattice (12);
+  for (const pcl::PointNormal& top : lattice (12)) {
+    pcl::PointNormal bottom = top;
+    bottom.z = -0.3F;
+    bottom.normal_z = -1.0F;
+    sheets.push_back (bottom);
+  }
+  const OrientedPoints points = oracle::pack (sheets);
+  const Parameters parameters = withNeighbors (24);
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  for (pcl::index_t p = 0; p < static_cast<pcl::index_t> (graph.size()); ++p)
+    for (const pcl::index_t q : graph.star (p))
+      EXPECT_EQ (points.positions[p].z(), points.positions[q].z());
+}
+
+TEST (SurfaceGraph, NormalsAtARightAngleAreNoJump)
+{
+  OrientedPoints points =
+      oracle::pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}});
+  points.normals[1] = Eigen::Vector3f::UnitX();
+  points.normals[2] = Eigen::Vector3f (0, 1, -0.01F).normalized();
+  const NeighborSearch search = [] (pcl::index_t, pcl::Indices& found) {
+    found = {0, 1, 2, 3};
+  };
+  const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (4));
+  EXPECT_EQ (starOf (graph, 0), (std::set<pcl::index_t>{1, 3}));
+}
+
+TEST (SurfaceGraph, TurnsWithTheCloudAndFlipsWithItsNormals)
+{
+  const auto cloud = oracle::sample (oracle::wavyRidge(), 3000);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond (0.3, -0.5, 0.2, 0.8).normalized();
+  pcl::PointCloud<pcl::PointNormal> turned = *cloud;
+  pcl::PointCloud<pcl::PointNormal> flipped = *cloud;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    turned[i].getVector3fMap() =
+        (turn * (*cloud)[i].getVector3fMap().cast<double>()).cast<float>();
+    turned[i].getNormalVector3fMap() =
+        (turn * (*cloud)[i].getNormalVector3fMap().cast<double>()).cast<float>();
+    flipped[i].getNormalVector3fMap() *= -1.0F;
+  }
+  const Parameters parameters;
+  const auto edgesOf = [&] (const pcl::PointCloud<pcl::PointNormal>& input) {
+    const OrientedPoints points = oracle::pack (input);
+    const SurfaceGraph graph =
+        buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+    std::set<std::pair<pcl::index_t, pcl::index_t>> edges;
+    for (pcl::index_t p = 0; p < static_cast<pcl::index_t> (graph.size()); ++p)
+      for (const pcl::index_t q : graph.star (p))
+        edges.emplace (points.cloud_index[p], points.cloud_index[q]);
+    return edges;
+  };
+  const auto edges = edgesOf (*cloud);
+  EXPECT_EQ (edges, edgesOf (flipped));
+  const auto turned_edges = edgesOf (turned);
+  std::vector<std::pair<pcl::index_t, pcl::index_t>> different;
+  std::set_symmetric_difference (edges.begin(),
+                                 edges.end(),
+                                 turned_edges.begin(),
+                                 turned_edges.end(),
+                                 std::back_inserter (different));
+  // Rounding decides where a neighbour lies on the border of two intervals.
+  EXPECT_LE (different.size(), edges.size() / 2000);
+}
+
+TEST (SurfaceGraph, BoundaryIsWhereTheSurfaceEnds)
+{
+  const auto open = oracle::sample (oracle::plane(), 4000);
+  const OrientedPoints points = oracle::pack (*open);
+  const Parameters parameters;
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  int at_border = 0;
+  int border_found = 0;
+  int inside = 0;
+  int inside_found = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double from_border =
+        1.0 - points.positions[i].head<2>().cwiseAbs().maxCoeff();
+    if (from_border < 0.1 * graph.mean_spacing) {
+      ++at_border;
+      border_found += graph.boundary[i];
+    }
+    else if (from_border > 3.0 * graph.mean_spacing) {
+      ++inside;
+      inside_found += graph.boundary[i];
+    }
+  }
+  ASSERT_GT (at_border, 10);
+  ASSERT_GT (inside, 3000);
+  EXPECT_GE (border_found, 0.97 * at_border);
+  EXPECT_LE (inside_found, 0.01 * inside);
+}
+
+TEST (SurfaceGraph, MeanSpacingIsThatOfTheSixNearest)
+{
+  const auto cloud = oracle::sample (oracle::sphere (1.0), 2000);
+  const OrientedPoints points = oracle::pack (*cloud);
+  const Parameters parameters;
+  const SurfaceGraph graph =
+      buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+  EXPECT_NEAR (graph.mean_spacing / oracle::meanSpacing (*cloud), 1.0, 1e-5);
+}
