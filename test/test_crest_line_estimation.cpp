@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Feature: what PCL's users expect of its setters, outputs and errors.
+#include <pcl_crest/crest_line_estimation.h>
+
+#include <pcl/common/io.h>
+#include <pcl/console/print.h>
+#include <pcl/search/brute_force.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/search/octree.h>
+#include <pcl/search/organized.h>
+#include <pcl/conversions.h>
+
+#include <gtest/gtest.h>
+
+#include "support/analytic_surface.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace pcl::crest;
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+using Labels = pcl::PointCloud<pcl::Label>;
+using Estimation = pcl::CrestLineEstimation<pcl::PointNormal>;
+
+namespace {
+
+Cloud::Ptr
+ridgeAndValley ()
+{
+  static const Cloud::ConstPtr cloud = oracle::sample (oracle::ridgeAndValley(), 6000);
+  return pcl::make_shared<Cloud> (*cloud);
+}
+
+std::vector<std::uint32_t>
+codes (const Labels& labels)
+{
+  std::vector<std::uint32_t> result;
+  for (const pcl::Label& label : labels)
+    result.push_back (label.label);
+  return result;
+}
+
+std::vector<std::uint32_t>
+labelsOf (Estimation& estimation)
+{
+  Labels labels;
+  estimation.compute (labels);
+  return codes (labels);
+}
+
+std::vector<std::uint32_t>
+labelsOf (const Cloud::ConstPtr& cloud)
+{
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  return labelsOf (estimation);
+}
+
+/** \brief Expects that compute refuses, says so in words that hold `words`, and leaves
+ * nothing in outputs that were full before.
+ */
+void
+expectRefused (Estimation& estimation, const std::string& words)
+{
+  Labels labels;
+  labels.resize (3);
+  pcl::PolygonMesh lines;
+  lines.polygons.resize (2);
+  testing::internal::CaptureStderr();
+  estimation.compute (labels, lines);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE (said.find (words), std::string::npos) << said;
+  EXPECT_NE (said.find ("pcl::CrestLineEstimation"), std::string::npos) << said;
+  EXPECT_TRUE (labels.empty());
+  EXPECT_EQ (labels.width * labels.height, 0U);
+  EXPECT_TRUE (lines.polygons.empty());
+  EXPECT_TRUE (lines.cloud.data.empty());
+  EXPECT_TRUE (estimation.getLines().empty());
+  EXPECT_TRUE (estimation.getPrincipalCurvatures().empty());
+}
+
+template <typename PointT>
+class OfPointType : public testing::Test {};
+using PointTypes = testing::Types<pcl::PointNormal,
+                                  pcl::PointXYZINormal,
+                                  pcl::PointXYZRGBNormal,
+                                  pcl::PointXYZLNormal,
+                                  pcl::PointSurfel>;
+TYPED_TEST_SUITE (OfPointType, PointTypes);
+
+} // namespace
+
+TYPED_TEST (OfPointType, GivesTheSameLabels)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const auto typed = pcl::make_shared<pcl::PointCloud<TypeParam>>();
+  pcl::copyPointCloud (*cloud, *typed);
+  pcl::CrestLineEstimation<TypeParam> estimation;
+  estimation.setInputCloud (typed);
+  Labels labels;
+  estimation.compute (labels);
+  EXPECT_EQ (codes (labels), labelsOf (cloud));
+}
+
+TEST (Feature, LabelsMatchTheLines)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  Labels labels;
+  pcl::PolygonMesh mesh;
+  estimation.compute (labels, mesh);
+  ASSERT_EQ (labels.size(), cloud->size());
+  EXPECT_EQ (mesh.cloud.width * mesh.cloud.height, cloud->size());
+
+  std::vector<bool> on_line (cloud->size(), false);
+  std::size_t polylines = 0;
+  ASSERT_GE (estimation.getLines().size(), 2U);
+  for (const CrestLine& line : estimation.getLines()) {
+    double length = 0.0;
+    for (const auto& polyline : line.polylines) {
+      const pcl::Indices& vertices = mesh.polygons[polylines++].vertices;
+      EXPECT_TRUE (std::equal (
+          vertices.begin(), vertices.end(), polyline.begin(), polyline.end()));
+      for (std::size_t i = 0; i < polyline.size(); ++i) {
+        on_line[polyline[i]] = true;
+        const std::uint32_t label = labels[polyline[i]].label;
+        EXPECT_TRUE (line.type == CrestType::RIDGE
+                         ? label == LABEL_RIDGE || label == LABEL_RIDGE_GROWN
+                         : label == LABEL_VALLEY || label == LABEL_VALLEY_GROWN);
+        if (i > 0)
+          length += ((*cloud)[polyline[i]].getVector3fMap() -
+                     (*cloud)[polyline[i - 1]].getVector3fMap())
+                        .norm();
+      }
+    }
+    EXPECT_NEAR (line.length, length, 1e-4 * length);
+    EXPECT_GE (line.size, 10U);
+  }
+  EXPECT_EQ (mesh.polygons.size(), polylines);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const bool grown =
+        labels[i].label == LABEL_RIDGE_GROWN || labels[i].label == LABEL_VALLEY_GROWN;
+    EXPECT_TRUE (!grown || on_line[i]);
+  }
+}
+
+TEST (Feature, IndicesRestrictTheLabelsNotTheSurface)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> all = labelsOf (cloud);
+  const auto indices = pcl::make_shared<pcl::Indices>();
+  for (int i = 5990; i > 0; i -= 7)
+    if (i < static_cast<int> (cloud->size()))
+      indices->push_back (i);
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setIndices (indices);
+  const std::vector<std::uint32_t> some = labelsOf (estimation);
+  ASSERT_EQ (some.size(), indices->size());
+  for (std::size_t i = 0; i < some.size(); ++i)
+    EXPECT_EQ (some[i], all[(*indices)[i]]);
+  EXPECT_EQ (estimation.getPrincipalCurvatures().size(), indices->size());
+}
+
+TEST (Feature, SearchSurfaceGivesTheGeometry)
+{
+  const Cloud::Ptr surface = ridgeAndValley();
+  const std::vector<std::uint32_t> all = labelsOf (surface);
+  const Cloud::Ptr input = pcl::make_shared<Cloud>();
+  for (std::size_t i = 0; i < surface->size(); i += 11)
+    input->push_back ((*surface)[i]);
+  input->push_back (pcl::PointNormal (std::numeric_limits<float>::quiet_NaN(), 0, 0));
+  input->is_dense = false;
+  Estimation estimation;
+  estimation.setInputCloud (input);
+  estimation.setSearchSurface (surface);
+  Labels labels;
+  pcl::PolygonMesh lines;
+  estimation.compute (labels, lines);
+  ASSERT_EQ (labels.size(), input->size());
+  for (std::size_t i = 0; i + 1 < labels.size(); ++i)
+    EXPECT_EQ (labels[i].label, all[i * 11]);
+  EXPECT_EQ (labels.back().label, LABEL_INVALID);
+  EXPECT_EQ (lines.cloud.width, surface->size());
+}
+
+TEST (Feature, InputPointsOffTheSearchSurfaceAreRefused)
+{
+  const Cloud::Ptr surface = ridgeAndValley();
+  const Cloud::Ptr input = pcl::make_shared<Cloud> (*surface);
+  (*input)[17].z += 0.01F;
+  Estimation estimation;
+  estimation.setInputCloud (input);
+  estimation.setSearchSurface (surface);
+  expectRefused (estimation, "Input point 17 is not a point of the search surface");
+}
+
+TEST (Feature, EverySearchMethodGivesTheSameLabels)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  for (const pcl::search::Search<pcl::PointNormal>::Ptr& method :
+       {pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::KdTree<pcl::PointNormal>),
+        pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::BruteForce<pcl::PointNormal>),
+        pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::Octree<pcl::PointNormal> (0.05))}) {
+    Estimation estimation;
+    estimation.setInputCloud (cloud);
+    estimation.setSearchMethod (method);
+    EXPECT_EQ (labelsOf (estimation), expected) << method->getName();
+  }
+}
+
+TEST (Feature, RadiusTakesThePlaceOfK)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  // The quadrant filter needs only the nearest: a radius that holds some 24 points.
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  const double radius = 3.0 * oracle::meanSpacing (*cloud);
+  estimation.setRadiusSearch (radius);
+  const std::vector<std::uint32_t> by_radius = labelsOf (estimation);
+  const std::vector<std::uint32_t> by_k = labelsOf (cloud);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < by_k.size(); ++i)
+    different += by_k[i] != by_radius[i] ? 1 : 0;
+  EXPECT_LT (different, by_k.size() / 50);
+  // A radius that reaches no one leaves no star to fit a quadric to.
+  estimation.setRadiusSearch (1e-6);
+  for (const std::uint32_t label : labelsOf (estimation))
+    EXPECT_EQ (label, LABEL_INVALID);
+}
+
+TEST (Feature, CurvaturesAreThoseOfASphere)
+{
+  const Cloud::Ptr cloud = oracle::sample (oracle::sphere (2.0), 8000);
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  labelsOf (estimation);
+  const auto& curvatures = estimation.getPrincipalCurvatures();
+  ASSERT_EQ (curvatures.size(), cloud->size());
+  for (std::size_t i = 0; i < curvatures.size(); ++i) {
+    EXPECT_NEAR (curvatures[i].pc1, 0.5F, 5e-3F);
+    EXPECT_NEAR (curvatures[i].pc2, 0.5F, 5e-3F);
+    const Eigen::Vector3f direction (curvatures[i].principal_curvature_x,
+                                     curvatures[i].principal_curvature_y,
+                                     curvatures[i].principal_curvature_z);
+    EXPECT_NEAR (direction.norm(), 1.0F, 1e-4F);
+    EXPECT_NEAR (direction.dot ((*cloud)[i].getNormalVector3fMap()), 0.0F, 1e-4F);
+  }
+}
+
+TEST (Feature, OneTypeAloneIsThatOfBoth)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation both;
+  both.setInputCloud (cloud);
+  const std::vector<std::uint32_t> all = labelsOf (both);
+  Estimation ridges;
+  ridges.setInputCloud (cloud);
+  ridges.setWantedTypes (true, false);
+  const std::vector<std::uint32_t> only = labelsOf (ridges);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_EQ (only[i],
+               all[i] == LABEL_VALLEY || all[i] == LABEL_VALLEY_GROWN ? LABEL_NONE
+                                                                      : all[i]);
+  std::size_t expected = 0;
+  for (const CrestLine& line : both.getLines())
+    expected += line.type == CrestType::RIDGE ? 1 : 0;
+  EXPECT_EQ (ridges.getLines().size(), expected);
+  EXPECT_TRUE (ridges.getStatistics().line_sizes.valley.empty());
+}
+
+TEST (Feature, SizesTellWhatSRemoved)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setMinSize (0);
+  labelsOf (estimation);
+  const std::size_t all = estimation.getLines().size();
+  const auto before = estimation.getStatistics().line_sizes;
+  estimation.setRidgeMinSize (60);
+  estimation.setValleyMinSize (20);
+  labelsOf (estimation);
+  const auto after = estimation.getStatistics().line_sizes;
+  EXPECT_EQ (before.ridge, after.ridge);
+  EXPECT_EQ (before.valley, after.valley);
+  std::size_t counted = 0;
+  std::size_t left = 0;
+  for (const CrestType type : CREST_TYPES)
+    for (const auto& [size, count] : before[type]) {
+      counted += count;
+      left += size >= (type == CrestType::RIDGE ? 60U : 20U) ? count : 0;
+    }
+  EXPECT_EQ (counted, all);
+  EXPECT_EQ (estimation.getLines().size(), left);
+  EXPECT_LT (left, all);
+}
+
+TEST (Feature, InvalidPointsAreLabelledAndDoNotDisturb)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Cloud::Ptr with_holes = pcl::make_shared<Cloud> (*cloud);
+  pcl::PointNormal nowhere (nan, nan, nan);
+  pcl::PointNormal without_normal (0.1F, 0.1F, 0.1F);
+  with_holes->insert (with_holes->begin(), nowhere);
+  with_holes->push_back (without_normal);
+  // A cloud that lies about being dense is no reason to crash.
+  for (const bool dense : {false, true}) {
+    with_holes->is_dense = dense;
+    std::vector<std::uint32_t> labels = labelsOf (with_holes);
+    ASSERT_EQ (labels.size(), expected.size() + 2);
+    EXPECT_EQ (labels.front(), LABEL_INVALID);
+    EXPECT_EQ (labels.back(), LABEL_INVALID);
+    EXPECT_EQ (std::vector<std::uint32_t> (labels.begin() + 1, labels.end() - 1),
+               expected);
+  }
+}
+
+TEST (Feature, OwnSearchMethodOnACloudThatLiesAboutBeingDense)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  (*cloud)[5].x = std::numeric_limits<float>::infinity();
+  cloud->is_dense = true;
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setSearchMethod (
+      pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
+  expectRefused (estimation, "Point 5 is not finite");
+  cloud->is_dense = false;
+  EXPECT_EQ (labelsOf (estimation).at (5), LABEL_INVALID);
+}
+
+TEST (Feature, SearchMethodOfACloudThatHasShrunk)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>();
+  tree->setInputCloud (cloud);
+  cloud->resize (1000);
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setSearchMethod (tree);
+  expectRefused (estimation, "the cloud has changed");
+}
+
+TEST (Feature, CloudThatChangedBehindTheSamePointer)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  labelsOf (estimation);
+  cloud->resize (cloud->size() / 2);
+  EXPECT_EQ (labelsOf (estimation), labelsOf (pcl::make_shared<Cloud> (*cloud)));
+}
+
+TEST (Feature, CoincidentPointsShareTheirLabel)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  const Cloud::Ptr twice = pcl::make_shared<Cloud> (*cloud);
+  *twice += *cloud;
+  const std::vector<std::uint32_t> labels = labelsOf (twice);
+  EXPECT_EQ (std::vector<std::uint32_t> (
+                 labels.begin(), labels.begin() + static_cast<long> (cloud->size())),
+             expected);
+  EXPECT_EQ (std::vector<std::uint32_t> (
+                 labels.begin() + static_cast<long> (cloud->size()), labels.end()),
+             expected);
+}
+
+TEST (Feature, FiftyThousandCoincidentPointsAreOne)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  const pcl::PointNormal again = (*cloud)[100];
+  for (int i = 0; i < 50000; ++i)
+    cloud->push_back (again);
+  const std::vector<std::uint32_t> labels = labelsOf (cloud);
+  EXPECT_TRUE (std::equal (expected.begin(), expected.end(), labels.begin()));
+  EXPECT_EQ (labels.back(), expected[100]);
+}
+
+TEST (Feature, OrganizedCloudWithHoles)
+{
+  // A depth camera at the origin looks at a wavy wall; some pixels see nothing.
+  const Cloud::Ptr cloud = pcl::make_shared<Cloud> (96, 72);
+  cloud->is_dense = false;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::mt19937 random (4);
+  for (std::uint32_t row = 0; row < cloud->height; ++row)
+    for (std::uint32_t column = 0; column < cloud->width; ++column) {
+      const float x = (static_cast<float> (column) - 47.2F) / 60.0F;
+      const float y = (static_cast<float> (row) - 35.5F) / 60.0F;
+      const float depth = 2.0F - 0.15F * std::exp (-(x * x) / (2.0F * 0.05F * 0.05F));
+      pcl::PointNormal point (x * depth, y * depth, depth);
+      const float slope = 0.15F * x / (0.05F * 0.05F) *
+                          std::exp (-(x * x) / (2.0F * 0.05F * 0.05F)) / depth;
+      point.getNormalVector3fMap() = Eigen::Vector3f (slope, 0.0F, -1.0F).normalized();
+      if (random() % 10 == 0)
+        point.x = point.y = point.z = nan;
+      cloud->at (column, row) = point;
+    }
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  Labels labels;
+  estimation.compute (labels);
+  EXPECT_EQ (labels.width, cloud->width);
+  EXPECT_EQ (labels.height, cloud->height);
+  std::size_t ridge_in_the_middle = 0;
+  for (std::uint32_t row = 0; row < cloud->height; ++row)
+    for (std::uint32_t column = 0; column < cloud->width; ++column) {
+      const bool hole = !std::isfinite (cloud->at (column, row).x);
+      EXPECT_EQ (labels.at (column, row).label == LABEL_INVALID, hole);
+      if (labels.at (column, row).label == LABEL_RIDGE && column >= 46 && column <= 49)
+        ++ridge_in_the_middle;
+    }
+  EXPECT_GT (ridge_in_the_middle, 60U);
+
+  Estimation organized;
+  organized.setInputCloud (cloud);
+  organized.setSearchMethod (
+      pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointNormal>>());
+  const std::vector<std::uint32_t> other = labelsOf (organized);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < other.size(); ++i)
+    different += other[i] != labels[i].label ? 1 : 0;
+  EXPECT_LE (different, labels.size() / 100);
+}
+
+TEST (Feature, DegenerateCloudsGiveACorrectEmptyResult)
+{
+  const auto cloudOf = [] (std::size_t size, const auto& position) {
+    const Cloud::Ptr cloud = pcl::make_shared<Cloud>();
+    for (std::size_t i = 0; i < size; ++i) {
+      pcl::PointNormal point;
+      point.getVector3fMap() = position (static_cast<float> (i));
+      point.normal_z = 1.0F;
+      cloud->push_back (point);
+    }
+    return cloud;
+  };
+  using V = Eigen::Vector3f;
+  const auto same = [] (float) { return V (1, 2, 3); };
+  const auto on_a_line = [] (float i) { return V (i, 2 * i, 0); };
+  const auto on_a_plane = [] (float i) {
+    return V (std::fmod (i, 10.0F), std::floor (i / 10.0F), 0);
+  };
+  for (const Cloud::Ptr& cloud : {cloudOf (1, same),
+                                  cloudOf (100, same),
+                                  cloudOf (3, on_a_plane),
+                                  cloudOf (100, on_a_line)})
+    for (const std::uint32_t label : labelsOf (cloud))
+      EXPECT_EQ (label, LABEL_INVALID) << cloud->size();
+  // Fewer points than k are no hindrance; a plane has curvature, zero, and no crest.
+  for (const Cloud::Ptr& cloud : {cloudOf (20, on_a_plane), cloudOf (100, on_a_plane)})
+    for (const std::uint32_t label : labelsOf (cloud))
+      EXPECT_EQ (label, LABEL_NONE) << cloud->size();
+}
+
+TEST (Feature, AllPointsInvalidIsNoMistake)
+{
+  const Cloud::Ptr cloud = pcl::make_shared<Cloud> (10, 1);
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  Labels labels;
+  pcl::PolygonMesh lines;
+  estimation.compute (labels, lines);
+  EXPECT_EQ (codes (labels), std::vector<std::uint32_t> (10, LABEL_INVALID));
+  EXPECT_TRUE (lines.polygons.empty());
+}
+
+TEST (Feature, MistakesAreRefusedInWords)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  {
+    Estimation estimation;
+    expectRefused (estimation, "call setInputCloud first");
+  }
+  {
+    Estimation estimation;
+    estimation.setInputCloud (pcl::make_shared<Cloud>());
+    expectRefused (estimation, "The input cloud is empty");
+  }
+  const auto refused = [&] (const auto& set, const std::string& words) {
+    Estimation estimation;
+    estimation.setInputCloud (cloud);
+    set (estimation);
+    expectRefused (estimation, words);
+  };
+  refused (
+      [] (Estimation& e) {
+        e.setKSearch (10);
+        e.setRadiusSearch (0.1);
+      },
+      "Both k (10) and a radius (0.1");
+  refused ([] (Estimation& e) { e.setKSearch (3); }, "k is 3, but must be at least 4");
+  refused ([] (Estimation& e) { e.setKSearch (-5); }, "k is -5");
+  refused ([] (Estimation& e) { e.setRadiusSearch (-1.0); }, "search radius is -1");
+  refused ([] (Estimation& e) { e.setMaximality (-0.5); }, "M is -0.5");
+  refused ([] (Estimation& e) { e.setMinSize (-1); }, "S is -1");
+  refused ([] (Estimation& e) { e.setPruneSize (-1); }, "branch to prune is -1");
+  refused ([] (Estimation& e) { e.setPointsPerQuadrant (0); },
+           "points per quadrant is 0");
+  refused ([] (Estimation& e) { e.setMaxNormalAngle (0.0); }, "normals is 0");
+  refused ([] (Estimation& e) { e.setWantedTypes (false, false); },
+           "neither ridges nor valleys");
+  refused (
+      [&] (Estimation& e) {
+        e.setIndices (pcl::make_shared<pcl::Indices> (1, 1000000));
+      },
+      "Index 1000000 is outside the input cloud");
+}
+
+TEST (Feature, AfterAMistakeTheNextComputeWorks)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setMaximality (-1.0);
+  expectRefused (estimation, "M is -1");
+  estimation.setMaximality (Parameters().maximality.ridge);
+  EXPECT_EQ (labelsOf (estimation), labelsOf (cloud));
+}
