@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "support/crest_truth.h"
+#include "support/surface_cases.h"
 
 #include <algorithm>
 #include <numeric>
@@ -46,70 +47,20 @@ countDifferent (const pcl::PointCloud<pcl::Label>& a,
   return different;
 }
 
-/** \brief A surface with the M that suits its ridges and valleys, in 1 / (its unit)^2.
- * One M for all surfaces there is not: that is a limit of the paper's method.
- */
-struct Case {
-  oracle::AnalyticSurface surface;
-  PerType<double> maximality;
-  /** types of which the surface has salient lines */
-  std::vector<CrestType> types;
-};
-
-Case
-gentleEllipsoid ()
-{
-  return {oracle::ellipsoid (1.0, 0.7, 0.45), {0.06, 0.06}, {CrestType::RIDGE}};
-}
-Case
-wavyRidge ()
-{
-  return {oracle::wavyRidge(), {3.0, 0.3}, {CrestType::RIDGE, CrestType::VALLEY}};
-}
-Case
-bumpySphere ()
-{
-  return {oracle::bumpySphere(), {1.0, 0.3}, {CrestType::RIDGE, CrestType::VALLEY}};
-}
-Case
-ellipticTorus ()
-{
-  return {oracle::ellipticTorus(), {0.3, 0.3}, {CrestType::RIDGE}};
-}
-Case
-ridgeAndValley ()
-{
-  return {oracle::ridgeAndValley(), {0.1, 0.1}, {CrestType::RIDGE, CrestType::VALLEY}};
-}
-Case
-roundedBox ()
-{
-  return {oracle::roundedBox(), {0.03, 0.03}, {CrestType::RIDGE}};
-}
-
-Parameters
-parametersOf (const Case& c)
-{
-  Parameters parameters;
-  parameters.maximality = c.maximality;
-  parameters.absolute_maximality = true;
-  return parameters;
-}
-
 constexpr std::size_t SAMPLES = 20000;
 
 } // namespace
 
-class OnSurface : public testing::TestWithParam<Case (*)()> {};
+class OnSurface : public testing::TestWithParam<oracle::SurfaceCase> {};
 
 TEST_P (OnSurface, LinesAreWhereTheTruthIs)
 {
-  const Case c = GetParam()();
+  const oracle::SurfaceCase& c = GetParam();
   const Cloud::Ptr cloud = oracle::sample (c.surface, SAMPLES);
   ASSERT_NEAR (static_cast<double> (cloud->size()), SAMPLES, 0.1 * SAMPLES);
   const double tolerance = 1.5 * oracle::meanSpacing (*cloud);
   const auto truth = oracle::trueCrestLines (c.surface);
-  const Extraction run = extract (cloud, parametersOf (c));
+  const Extraction run = extract (cloud, c.parameters());
   for (const CrestType type : c.types) {
     const oracle::Score score =
         oracle::score (run.lines, *cloud, truth, type, tolerance);
@@ -121,12 +72,12 @@ TEST_P (OnSurface, LinesAreWhereTheTruthIs)
 
 TEST_P (OnSurface, FlippedNormalsSwapRidgesAndValleys)
 {
-  const Case c = GetParam()();
+  const oracle::SurfaceCase& c = GetParam();
   const Cloud::Ptr cloud = oracle::sample (c.surface, SAMPLES);
   const Cloud::Ptr flipped = pcl::make_shared<Cloud> (*cloud);
   for (pcl::PointNormal& point : *flipped)
     point.getNormalVector3fMap() *= -1.0F;
-  Parameters parameters = parametersOf (c);
+  Parameters parameters = c.parameters();
   const Extraction run = extract (cloud, parameters);
   std::swap (parameters.maximality.ridge, parameters.maximality.valley);
   Extraction swapped = extract (flipped, parameters);
@@ -144,9 +95,9 @@ TEST_P (OnSurface, FlippedNormalsSwapRidgesAndValleys)
 
 TEST_P (OnSurface, OrderOfPointsAndThreadsDoNotMatter)
 {
-  const Case c = GetParam()();
+  const oracle::SurfaceCase& c = GetParam();
   const Cloud::Ptr cloud = oracle::sample (c.surface, SAMPLES);
-  Parameters parameters = parametersOf (c);
+  Parameters parameters = c.parameters();
   parameters.threads = 1;
   const Extraction run = extract (cloud, parameters);
   parameters.threads = 2;
@@ -170,9 +121,9 @@ TEST_P (OnSurface, OrderOfPointsAndThreadsDoNotMatter)
 
 TEST_P (OnSurface, ScaleDoesNotMatterToARelativeM)
 {
-  const Case c = GetParam()();
+  const oracle::SurfaceCase& c = GetParam();
   const Cloud::Ptr cloud = oracle::sample (c.surface, SAMPLES);
-  Parameters parameters = parametersOf (c);
+  Parameters parameters = c.parameters();
   parameters.absolute_maximality = false;
   // The surfaces are about two units wide, and the relative unit is a tenth of that.
   for (const CrestType type : CREST_TYPES)
@@ -194,9 +145,9 @@ TEST_P (OnSurface, ScaleDoesNotMatterToARelativeM)
 
 TEST_P (OnSurface, RotationDoesNotMatter)
 {
-  const Case c = GetParam()();
+  const oracle::SurfaceCase& c = GetParam();
   const Cloud::Ptr cloud = oracle::sample (c.surface, SAMPLES);
-  const Extraction run = extract (cloud, parametersOf (c));
+  const Extraction run = extract (cloud, c.parameters());
   const Eigen::Quaternionf turn =
       Eigen::Quaternionf (0.2F, 0.4F, -0.7F, 0.5F).normalized();
   const Cloud::Ptr turned = pcl::make_shared<Cloud> (*cloud);
@@ -205,20 +156,15 @@ TEST_P (OnSurface, RotationDoesNotMatter)
     point.getNormalVector3fMap() = (turn * point.getNormalVector3fMap()).eval();
   }
   const std::size_t different =
-      countDifferent (run.labels, extract (turned, parametersOf (c)).labels);
+      countDifferent (run.labels, extract (turned, c.parameters()).labels);
   EXPECT_LE (different, cloud->size() / 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P (Analytic,
                           OnSurface,
-                          testing::Values (gentleEllipsoid,
-                                           wavyRidge,
-                                           bumpySphere,
-                                           ellipticTorus,
-                                           ridgeAndValley,
-                                           roundedBox),
+                          testing::ValuesIn (oracle::surfaceCases()),
                           [] (const auto& info) {
-                            std::string name = info.param().surface.name;
+                            std::string name = info.param.surface.name;
                             std::replace (name.begin(), name.end(), ' ', '_');
                             return name;
                           });
