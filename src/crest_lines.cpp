@@ -285,37 +285,37 @@ closeLoop (const SurfaceGraph& graph,
 
 std::vector<CrestEdge>
 pruneBranches (const OrientedPoints& points,
-               const std::vector<CrestEdge>& edges,
+               const std::vector<CrestEdge>& forest,
                std::size_t largest)
 {
-  Forest forest (points, edges);
-  prune (forest, 1);
-  prune (forest, largest);
-  return forest.remaining (edges);
+  Forest trees (points, forest);
+  prune (trees, 1);
+  prune (trees, largest);
+  return trees.remaining (forest);
 }
 
 std::vector<CrestLine>
 traceLines (const OrientedPoints& points,
             const SurfaceGraph& graph,
             const std::vector<Membership>& membership,
-            const std::vector<CrestEdge>& edges,
+            const std::vector<CrestEdge>& forest,
             CrestType type,
             std::size_t largest_branch)
 {
-  const Forest forest (points, edges);
+  const Forest trees (points, forest);
   std::vector<CrestLine> lines;
-  std::vector<bool> seen (static_cast<std::size_t> (forest.size()), false);
-  for (int v = 0; v < forest.size(); ++v) {
+  std::vector<bool> seen (static_cast<std::size_t> (trees.size()), false);
+  for (int v = 0; v < trees.size(); ++v) {
     if (seen[v])
       continue;
-    const std::vector<int> tree = component (forest, v, seen);
+    const std::vector<int> tree = component (trees, v, seen);
     CrestLine line;
     line.type = type;
     line.size = tree.size();
-    for (const std::vector<int>& branch : branchesOf (forest, tree)) {
+    for (const std::vector<int>& branch : branchesOf (trees, tree)) {
       std::vector<index_t>& polyline = line.polylines.emplace_back();
       for (const int w : branch)
-        polyline.push_back (forest.packed (w));
+        polyline.push_back (trees.packed (w));
     }
     closeLoop (graph, membership, largest_branch, line);
     for (const std::vector<index_t>& polyline : line.polylines)

@@ -25,8 +25,9 @@ explainInvalid (const Parameters& p)
 {
   if (p.radius < 0.0 || !std::isfinite (p.radius))
     return complain ("the search radius", p.radius, "finite and not negative");
-  if (p.radius == 0.0 && p.k < 4)
-    return complain ("k", p.k, "at least 4 (the point and three neighbours)");
+  // More than a thousand candidates for eight places are a mistake, and take hours.
+  if (p.radius == 0.0 && (p.k < 4 || p.k > 1000))
+    return complain ("k", p.k, "from 4 (the point and three neighbours) to 1000");
   if (p.points_per_quadrant < 1 || p.points_per_quadrant > 16)
     return complain (
         "the number of points per quadrant", p.points_per_quadrant, "from 1 to 16");

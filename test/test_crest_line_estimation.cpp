@@ -500,8 +500,9 @@ TEST (Feature, MistakesAreRefusedInWords)
         e.setRadiusSearch (0.1);
       },
       "Both k (10) and a radius (0.1");
-  refused ([] (Estimation& e) { e.setKSearch (3); }, "k is 3, but must be at least 4");
+  refused ([] (Estimation& e) { e.setKSearch (3); }, "k is 3, but must be from 4");
   refused ([] (Estimation& e) { e.setKSearch (-5); }, "k is -5");
+  refused ([] (Estimation& e) { e.setKSearch (2147483647); }, "k is 2147483647");
   refused ([] (Estimation& e) { e.setRadiusSearch (-1.0); }, "search radius is -1");
   refused ([] (Estimation& e) { e.setMaximality (-0.5); }, "M is -0.5");
   refused ([] (Estimation& e) { e.setMinSize (-1); }, "S is -1");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/stopwatch.h>
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -20,13 +22,29 @@ struct InputCloud {
   NormalSource normals = NormalSource::FILE;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
+  /** what reading the file and seeing to the normals took */
+  std::vector<StageTime> times;
 };
+
+/** \brief "file", "faces" or "estimated", as in messages and statistics. */
+std::string
+nameOf (NormalSource source);
 
 /** \brief Reads a cloud and sees to its normals: from the file, else from the faces,
  * else estimated from k neighbours and made consistent over the cloud.
  *
  * By the extension of the name: PCD, PLY, OBJ, OFF, STL, VTK (legacy polydata), XYZ or
- * TXT (three numbers a line, or six with normals).
+ * TXT (three numbers a line, or six with normals). Points are those of the file in its
+ * order; STL files list the corners of triangles, of which equal ones become one point.
+ * Faces decide the side of the normals by the order of their corners: a normal looks to
+ * where that order is counter-clockwise. A file whose normals are all zero or not
+ * finite counts as one without; single ones are left as they are, and mentioned in the
+ * notes.
+ *
+ * Estimated normals have no side of their own, but ridges and valleys swap with it. It
+ * is made the same over each connected part (Hoppe et al. 1992): outward where the part
+ * is closed; else toward the viewpoint of a PCD file, if most of the part faces it or
+ * most faces away; else upward, to +z. The notes tell which.
  *
  * \param[in] file the path
  * \param[in] k neighbours for the estimation of normals, where it is needed

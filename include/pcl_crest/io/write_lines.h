@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_crest/crest_lines.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The formats of writeLines by their extensions, in lower case. */
+std::vector<std::string>
+lineExtensions ();
+
+/** \brief Writes crest lines in the format that the extension of the name tells. The
+ * points in the file are those on lines, in the order of the cloud. A closed line ends
+ * with its first point.
+ *
+ * - .obj: the groups "ridge" and "valley" with an element `l` for each polyline.
+ * - .ply: elements "edge" with vertex1, vertex2, type (crest::CrestType) and line, the
+ *   place of the line in `lines`.
+ * - .vtk: legacy polydata with a cell for each polyline, and type and line as data of
+ *   the cells.
+ *
+ * \param[in] file the path
+ * \param[in] cloud what the lines are indices into
+ * \param[in] lines as CrestLineEstimation::getLines gives them
+ * \param[out] error on failure what is wrong, naming the file
+ */
+bool
+writeLines (const std::string& file,
+            const pcl::PointCloud<pcl::PointNormal>& cloud,
+            const std::vector<CrestLine>& lines,
+            std::string& error);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PCD through PCL's reader, once its header is known to be true to the file:
+// PCL makes room for as many points as the header announces.
+#include <pcl/io/pcd_io.h>
+
+#include "file_content.h"
+#include "number_type.h"
+
+#include <array>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+struct PcdHeader {
+  std::vector<std::size_t> sizes;
+  std::vector<std::size_t> counts;
+  std::size_t fields = 0;
+  std::size_t points = 0;
+  std::string coding;
+
+  std::size_t
+  pointSize () const
+  {
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < fields; ++i)
+      bytes += sizes[i] * counts[i];
+    return bytes;
+  }
+  std::size_t
+  numbers () const
+  {
+    std::size_t sum = 0;
+    for (const std::size_t count : counts)
+      sum += count;
+    return sum;
+  }
+};
+
+std::vector<std::size_t>
+readNumbers (const TextScanner& scanner)
+{
+  // More than any point has, and few enough that no product of them overflows.
+  constexpr std::size_t LARGEST = 1U << 20U;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 1; i < scanner.words().size(); ++i) {
+    numbers.push_back (
+        scanner.number<std::size_t> (scanner.words()[i], "a whole number"));
+    if (numbers.back() == 0 || numbers.back() > LARGEST)
+      scanner.fail ("a field has a size or count of " +
+                    std::to_string (numbers.back()));
+  }
+  return numbers;
+}
+
+PcdHeader
+readHeader (TextScanner& scanner)
+{
+  PcdHeader header;
+  std::size_t width = 0;
+  std::size_t height = 1;
+  std::string types;
+  bool has_width = false;
+  bool has_points = false;
+  const auto number = [&scanner] {
+    if (scanner.words().size() != 2)
+      scanner.fail ("expected one number");
+    return static_cast<std::size_t> (
+        scanner.number<index_t> (scanner.words()[1], "a whole number"));
+  };
+  while (header.coding.empty()) {
+    if (!scanner.nextLine())
+      scanner.fail ("the file ends within its header, before \"DATA\"");
+    const std::vector<std::string_view>& words = scanner.words();
+    if (words[0] == "FIELDS" || words[0] == "COLUMNS")
+      header.fields = words.size() - 1;
+    else if (words[0] == "SIZE")
+      header.sizes = readNumbers (scanner);
+    else if (words[0] == "COUNT")
+      header.counts = readNumbers (scanner);
+    else if (words[0] == "TYPE")
+      for (std::size_t i = 1; i < words.size(); ++i)
+        types += words[i];
+    else if (words[0] == "WIDTH") {
+      width = number();
+      has_width = true;
+    }
+    else if (words[0] == "HEIGHT")
+      height = number();
+    else if (words[0] == "POINTS") {
+      header.points = number();
+      has_points = true;
+    }
+    else if (words[0] == "VIEWPOINT") {
+      if (words.size() != 8)
+        scanner.fail ("expected a viewpoint of 7 numbers");
+      for (std::size_t i = 1; i < words.size(); ++i)
+        scanner.number<double> (words[i], "a number");
+    }
+    else if (words[0] == "DATA" && words.size() == 2)
+      header.coding = words[1];
+    else if (words[0] != "VERSION")
+      scanner.fail ("expected a line of a PCD header, found \"" +
+                    TextScanner::shown (words[0]) + "\"");
+  }
+  if (!has_points)
+    header.points = width * height;
+  if (header.counts.empty())
+    header.counts.assign (header.fields, 1);
+  if (!has_width || header.points != width * height)
+    throw ReadError ("its header announces " + std::to_string (header.points) +
+                     " points, but a width of " + std::to_string (width) +
+                     " and a height of " + std::to_string (height));
+  if (header.fields == 0 || header.sizes.size() != header.fields ||
+      header.counts.size() != header.fields || types.size() != header.fields)
+    throw ReadError ("its header needs FIELDS, SIZE, TYPE and COUNT of equal numbers");
+  return header;
+}
+
+void
+checkData (const PcdHeader& header, TextScanner& scanner)
+{
+  const std::size_t size = header.points * header.pointSize();
+  std::size_t needed = 0;
+  if (header.coding == "ascii")
+    // a digit and a blank each, but for the last
+    needed = header.points == 0 ? 0 : 2 * header.numbers() * header.points - 1;
+  else if (header.coding == "binary")
+    needed = size;
+  else if (header.coding == "binary_compressed") {
+    // LZF makes at most 264 bytes of 3.
+    constexpr std::size_t BEST_RATIO = 88;
+    const std::string_view sizes = scanner.bytes (8, "the size of the data");
+    needed = decodeAs<std::uint32_t> (&sizes[0], false);
+    const std::size_t inflated = decodeAs<std::uint32_t> (&sizes[4], false);
+    if (inflated != size || inflated / BEST_RATIO > needed)
+      throw ReadError ("its compressed data do not make up the " +
+                       std::to_string (header.points) + " points that it announces");
+  }
+  else
+    throw ReadError ("its data are \"" + TextScanner::shown (header.coding) +
+                     "\", but must be ascii, binary or binary_compressed");
+  if (needed > scanner.remaining())
+    throw ReadError ("its header announces " + std::to_string (header.points) +
+                     " points, which take at least " + std::to_string (needed) +
+                     " bytes, but only " + std::to_string (scanner.remaining()) +
+                     " follow");
+}
+
+NumberType
+typeOf (const pcl::PCLPointField& field)
+{
+  switch (field.datatype) {
+  case pcl::PCLPointField::INT8:
+    return NumberType::INT8;
+  case pcl::PCLPointField::UINT8:
+    return NumberType::UINT8;
+  case pcl::PCLPointField::INT16:
+    return NumberType::INT16;
+  case pcl::PCLPointField::UINT16:
+    return NumberType::UINT16;
+  case pcl::PCLPointField::INT32:
+    return NumberType::INT32;
+  case pcl::PCLPointField::UINT32:
+    return NumberType::UINT32;
+  case pcl::PCLPointField::FLOAT32:
+    return NumberType::FLOAT32;
+  case pcl::PCLPointField::FLOAT64:
+    return NumberType::FLOAT64;
+  default:
+    return NumberType::NONE;
+  }
+}
+
+} // namespace
+
+FileContent
+readPcd (const std::string& file, const std::string& text)
+{
+  TextScanner scanner (text, '#');
+  checkData (readHeader (scanner), scanner);
+
+  pcl::PCLPointCloud2 data;
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  int version = 0;
+  if (pcl::PCDReader().read (file, data, origin, orientation, version) < 0)
+    throw ReadError ("its data are not as its header says");
+
+  constexpr std::array<const char*, 6> NAMES{
+      "x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  std::array<const pcl::PCLPointField*, 6> fields{};
+  std::string present;
+  for (const pcl::PCLPointField& field : data.fields) {
+    present += (present.empty() ? "" : " ") + field.name;
+    for (std::size_t i = 0; i < NAMES.size(); ++i)
+      if (field.name == NAMES[i] && typeOf (field) != NumberType::NONE)
+        fields[i] = &field;
+  }
+  if (!fields[0] || !fields[1] || !fields[2])
+    throw ReadError ("it has the fields \"" + present +
+                     "\", but x, y and z are needed");
+  FileContent content;
+  content.has_normals = fields[3] && fields[4] && fields[5];
+  content.viewpoint = origin.head<3>();
+  const std::size_t numbers = content.has_normals ? 6 : 3;
+  const std::size_t size = std::size_t (data.width) * data.height;
+  content.points->reserve (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto* const point =
+        reinterpret_cast<const char*> (&data.data[i * data.point_step]);
+    double values[6];
+    for (std::size_t j = 0; j < numbers; ++j)
+      values[j] =
+          decode (point + fields[j]->offset, typeOf (*fields[j]), HOST_IS_BIG_ENDIAN);
+    content.points->push_back (makePoint (values, content.has_normals));
+  }
+  content.points->width = data.width;
+  content.points->height = data.height;
+  content.points->sensor_origin_ = origin;
+  content.points->sensor_orientation_ = orientation;
+  return content;
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/io/output_file.h>
+#include <pcl_crest/io/read_cloud.h>
+
+#include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
+
+#include "mesh_normals.h"
+#include "normal_estimation.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief Keeps PCL's readers quiet: what they print names no file, and the one clear
+ * message comes from readCloud.
+ */
+class QuietConsole {
+public:
+  QuietConsole() { pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); }
+  QuietConsole (const QuietConsole&) = delete;
+  QuietConsole&
+  operator= (const QuietConsole&) = delete;
+  ~QuietConsole() { pcl::console::setVerbosityLevel (level_); }
+
+private:
+  pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
+};
+
+std::string
+readText (const std::string& file)
+{
+  const std::filesystem::path path (file);
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status (path, failure);
+  if (!std::filesystem::exists (status))
+    throw ReadError (status.type() == std::filesystem::file_type::not_found
+                         ? "there is no such file"
+                         : failure.message());
+  if (std::filesystem::is_directory (status))
+    throw ReadError ("it is a directory, but a file is needed");
+  if (!std::filesystem::is_regular_file (status))
+    throw ReadError ("it is not a regular file");
+  std::ifstream stream (path, std::ios::binary);
+  if (!stream)
+    throw ReadError (std::string ("it cannot be opened: ") + std::strerror (errno));
+  std::string text (std::filesystem::file_size (path), '\0');
+  stream.read (text.data(), static_cast<std::streamsize> (text.size()));
+  if (!stream)
+    throw ReadError (std::string ("it cannot be read: ") + std::strerror (errno));
+  if (text.empty())
+    throw ReadError ("it is empty");
+  return text;
+}
+
+FileContent
+readContent (const std::string& file)
+{
+  const std::string extension = extensionOf (file);
+  const bool is_text = extension == ".xyz" || extension == ".txt";
+  if (!is_text && extension != ".pcd" && extension != ".ply" && extension != ".obj" &&
+      extension != ".off" && extension != ".stl" && extension != ".vtk") {
+    readText (file);
+    throw ReadError ("the extension \"" + extension +
+                     "\" is none of .pcd, .ply, .obj, .off, .stl, .vtk, .xyz, .txt");
+  }
+  const std::string text = readText (file);
+  FileContent content = extension == ".pcd"   ? readPcd (file, text)
+                        : extension == ".ply" ? readPly (text)
+                        : extension == ".obj" ? readObj (text)
+                        : extension == ".off" ? readOff (text)
+                        : extension == ".stl" ? readStl (text)
+                        : extension == ".vtk" ? readVtk (text)
+                                              : readXyz (text);
+  if (content.points->empty())
+    throw ReadError ("it has no points");
+  return content;
+}
+
+bool
+hasUsableNormal (const pcl::PointNormal& point)
+{
+  return pcl::isNormalFinite (point) && !point.getNormalVector3fMap().isZero (0.0F);
+}
+
+std::size_t
+countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
+{
+  return static_cast<std::size_t> (
+      std::count_if (points.begin(), points.end(), hasUsableNormal));
+}
+
+std::string
+describe (const Orientation& orientation, std::size_t k)
+{
+  std::string note = "Normals were estimated from " + std::to_string (k) +
+                     " neighbours and made consistent over each connected part.";
+  const auto add = [&note] (std::size_t parts, const char* side) {
+    if (parts != 0)
+      note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + side;
+  };
+  add (orientation.outward, " closed: outward.");
+  add (orientation.toward_viewpoint, " open: toward the viewpoint.");
+  add (orientation.upward, " open: upward (+z).");
+  return note;
+}
+
+/** \brief Takes the normals from the best source that there is. */
+NormalSource
+provideNormals (FileContent& content, int k, unsigned threads)
+{
+  const std::size_t size = content.points->size();
+  if (content.has_normals) {
+    const std::size_t usable = countUsableNormals (*content.points);
+    if (usable != 0) {
+      if (usable != size)
+        content.notes.push_back (std::to_string (size - usable) + " of " +
+                                 std::to_string (size) +
+                                 " normals of the file are zero or not finite.");
+      return NormalSource::FILE;
+    }
+    content.notes.push_back (
+        "The normals of the file are all zero or not finite, and are not used.");
+  }
+  if (!content.faces.ends.empty()) {
+    const std::size_t with_normal = computeMeshNormals (content);
+    if (with_normal != 0) {
+      if (with_normal != size)
+        content.notes.push_back (
+            std::to_string (size - with_normal) + " of " + std::to_string (size) +
+            " points are in no face that has an area, and have no normal.");
+      return NormalSource::FACES;
+    }
+    content.notes.push_back ("No face of the file has an area; they are not used.");
+  }
+  const Orientation orientation = estimateNormals (content, k, threads);
+  content.notes.push_back (describe (orientation, std::min<std::size_t> (k, size)));
+  return NormalSource::ESTIMATED;
+}
+
+void
+notePositions (FileContent& content)
+{
+  const auto is_finite = [] (const pcl::PointNormal& p) {
+    return pcl::isXYZFinite (p);
+  };
+  const auto not_finite =
+      content.points->size() -
+      static_cast<std::size_t> (
+          std::count_if (content.points->begin(), content.points->end(), is_finite));
+  if (not_finite != 0)
+    content.notes.push_back (std::to_string (not_finite) + " of " +
+                             std::to_string (content.points->size()) +
+                             " points are not finite.");
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointNormal& point : *content.points)
+    if (is_finite (point))
+      box.extend (point.getVector3fMap());
+  // Floats are 1e-7 of their value apart: 1e-4 of the cloud's extent from here on,
+  // which a fit to neighbours, some 1e-2 of it apart, begins to feel.
+  constexpr float FAR = 1e3F;
+  if (!box.isEmpty() && box.sizes().maxCoeff() > 0.0F &&
+      box.min().cwiseAbs().cwiseMax (box.max().cwiseAbs()).maxCoeff() >
+          FAR * box.sizes().maxCoeff())
+    content.notes.push_back (
+        "The cloud is so far from the origin that single precision "
+        "blurs its shape: subtract an offset before writing it.");
+}
+
+} // namespace
+
+bool
+readCloud (const std::string& file,
+           int k,
+           unsigned threads,
+           InputCloud& cloud,
+           std::string& error)
+{
+  const QuietConsole quiet;
+  try {
+    if (k < 3)
+      throw ReadError ("k is " + std::to_string (k) +
+                       ", but normals need at least 3 neighbours");
+    std::vector<StageTime> times;
+    Stopwatch watch (times);
+    FileContent content = readContent (file);
+    watch.stageDone ("reading");
+    notePositions (content);
+    const NormalSource source = provideNormals (content, k, threads);
+    content.points->is_dense =
+        std::all_of (content.points->begin(),
+                     content.points->end(),
+                     [] (const pcl::PointNormal& point) {
+                       return pcl::isXYZFinite (point) && pcl::isNormalFinite (point);
+                     });
+    watch.stageDone ("normals");
+    cloud = {content.points, source, std::move (content.notes), std::move (times)};
+    return true;
+  }
+  catch (const ReadError& problem) {
+    error = file;
+    if (problem.line() != 0)
+      error += ":" + std::to_string (problem.line());
+    error += std::string (": ") + problem.what();
+  }
+  catch (const std::exception& problem) {
+    error = file + ": it cannot be read: " + problem.what();
+  }
+  return false;
+}
+
+std::string
+nameOf (NormalSource source)
+{
+  switch (source) {
+  case NormalSource::FILE:
+    return "file";
+  case NormalSource::FACES:
+    return "faces";
+  case NormalSource::ESTIMATED:
+    break;
+  }
+  return "estimated";
+}
+
+void
+checkFaces (const FileContent& content)
+{
+  const std::size_t size = content.points->size();
+  for (const index_t corner : content.faces.corners)
+    if (corner < 0 || static_cast<std::size_t> (corner) >= size)
+      throw ReadError ("a face has the corner " + std::to_string (corner) +
+                       ", counted from 0, but there are only " + std::to_string (size) +
+                       " points");
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// STL, text and binary. It has corners of triangles only: equal ones become one point.
+#include "file_content.h"
+#include "number_type.h"
+
+#include <array>
+#include <unordered_map>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+constexpr std::size_t HEADER_SIZE = 84;
+constexpr std::size_t TRIANGLE_SIZE = 50;
+
+struct CornerHash {
+  std::size_t
+  operator() (const std::array<float, 3>& corner) const
+  {
+    std::size_t hash = 0;
+    for (const float x : corner)
+      hash = hash * 1000003 + std::hash<float>() (x);
+    return hash;
+  }
+};
+
+/** \brief Collects triangles; points are in the order of their first corner. */
+class CornerMerger {
+public:
+  void
+  add (float x, float y, float z)
+  {
+    const auto [place, is_new] = index_of_.emplace (
+        std::array<float, 3>{x, y, z}, static_cast<index_t> (content.points->size()));
+    if (is_new)
+      content.points->push_back (pcl::PointNormal (x, y, z));
+    content.faces.corners.push_back (place->second);
+  }
+
+  FileContent content;
+
+private:
+  std::unordered_map<std::array<float, 3>, index_t, CornerHash> index_of_;
+};
+
+FileContent
+readText (const std::string& text)
+{
+  TextScanner scanner (text, TextScanner::NO_COMMENTS);
+  const auto expect = [&scanner] (const char* wanted) {
+    const std::string_view word = scanner.nextWord();
+    if (word.empty())
+      scanner.fail ("the file ends where \"" + std::string (wanted) +
+                    "\" was expected");
+    if (word != wanted)
+      scanner.fail ("expected \"" + std::string (wanted) + "\", found \"" +
+                    TextScanner::shown (word) + "\"");
+  };
+  CornerMerger merger;
+  while (scanner.nextLine()) {
+    const std::vector<std::string_view>& words = scanner.words();
+    if (words[0] == "solid" || words[0] == "endsolid")
+      continue;
+    if (words[0] != "facet")
+      scanner.fail ("expected \"facet\" or \"endsolid\", found \"" +
+                    TextScanner::shown (words[0]) + "\"");
+    expect ("outer");
+    expect ("loop");
+    for (int corner = 0; corner < 3; ++corner) {
+      expect ("vertex");
+      double values[3];
+      for (double& value : values)
+        value = scanner.number<double> (scanner.nextWord(), "a coordinate");
+      const pcl::PointNormal point = makePoint (values, false);
+      merger.add (point.x, point.y, point.z);
+    }
+    merger.content.faces.close();
+    expect ("endloop");
+    expect ("endfacet");
+  }
+  if (text.find ("endsolid") == std::string::npos)
+    scanner.fail ("the file ends where \"facet\" or \"endsolid\" was expected");
+  return std::move (merger.content);
+}
+
+} // namespace
+
+FileContent
+readStl (const std::string& text)
+{
+  const bool says_solid = text.compare (0, 5, "solid") == 0;
+  const std::size_t triangles =
+      text.size() < HEADER_SIZE
+          ? 0
+          : decodeAs<std::uint32_t> (text.data() + HEADER_SIZE - 4, false);
+  const std::size_t binary_size = HEADER_SIZE + triangles * TRIANGLE_SIZE;
+  // The header of a binary file may say "solid" too, so its size decides.
+  if (says_solid && text.size() != binary_size)
+    return readText (text);
+  if (text.size() < HEADER_SIZE)
+    throw ReadError ("it is neither a text STL, which begins with \"solid\", nor a "
+                     "binary one, which has at least 84 bytes");
+  if (text.size() < binary_size)
+    throw ReadError ("a binary STL of " + std::to_string (triangles) +
+                     " triangles, as its header says, has " +
+                     std::to_string (binary_size) + " bytes, but this one has " +
+                     std::to_string (text.size()));
+  CornerMerger merger;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const char* corner = text.data() + HEADER_SIZE + i * TRIANGLE_SIZE + 12;
+    for (int j = 0; j < 3; ++j, corner += 12)
+      merger.add (decodeAs<float> (corner, false),
+                  decodeAs<float> (corner + 4, false),
+                  decodeAs<float> (corner + 8, false));
+    merger.content.faces.close();
+  }
+  return std::move (merger.content);
+}
+
+} // namespace crest
+} // namespace pcl

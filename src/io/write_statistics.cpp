@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/io/output_file.h>
+#include <pcl_crest/io/write_statistics.h>
+
+#include "../parallel.h"
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char*
+nameOf (CrestType type)
+{
+  return type == CrestType::RIDGE ? "ridge" : "valley";
+}
+
+std::size_t
+countLabel (const pcl::PointCloud<pcl::Label>& labels, Label wanted)
+{
+  return static_cast<std::size_t> (
+      std::count_if (labels.begin(), labels.end(), [wanted] (const pcl::Label& label) {
+        return label.label == wanted;
+      }));
+}
+
+Json
+describe (const Parameters& p)
+{
+  Json json;
+  if (p.radius > 0.0)
+    json["radius"] = p.radius;
+  else
+    json["k"] = p.k;
+  json["points_per_quadrant"] = p.points_per_quadrant;
+  json["max_normal_angle"] = p.max_normal_angle;
+  json["M_ridge"] = p.maximality.ridge;
+  json["M_valley"] = p.maximality.valley;
+  json["absolute"] = p.absolute_maximality;
+  json["S_ridge"] = p.min_size.ridge;
+  json["S_valley"] = p.min_size.valley;
+  json["prune"] = p.prune;
+  json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
+                 : p.wanted.ridge                  ? "ridges"
+                                                   : "valleys";
+  return json;
+}
+
+Json
+describe (CrestType type,
+          const pcl::PointCloud<pcl::Label>& labels,
+          const pcl::CrestLineEstimation<pcl::PointNormal>& estimation)
+{
+  const bool ridge = type == CrestType::RIDGE;
+  std::size_t lines = 0;
+  double length = 0.0;
+  for (const CrestLine& line : estimation.getLines())
+    if (line.type == type) {
+      ++lines;
+      length += line.length;
+    }
+  Json json;
+  json["crest_points"] = countLabel (labels, ridge ? LABEL_RIDGE : LABEL_VALLEY);
+  json["grown_points"] =
+      countLabel (labels, ridge ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN);
+  json["lines"] = lines;
+  json["total_length"] = length;
+  json["line_sizes_before_S"] = Json::array();
+  for (const auto& [size, count] : estimation.getStatistics().line_sizes[type])
+    json["line_sizes_before_S"].push_back ({{"size", size}, {"lines", count}});
+  return json;
+}
+
+} // namespace
+
+bool
+writeStatistics (const std::string& file,
+                 const InputCloud& cloud,
+                 const pcl::PointCloud<pcl::Label>& labels,
+                 const pcl::CrestLineEstimation<pcl::PointNormal>& estimation,
+                 const std::vector<StageTime>& times,
+                 std::string& error)
+{
+  const Parameters parameters = estimation.getParameters();
+  Json json;
+  json["points"] = cloud.points->size();
+  json["invalid_points"] = countLabel (labels, LABEL_INVALID);
+  json["normals"] = nameOf (cloud.normals);
+  json["mean_spacing"] = estimation.getStatistics().mean_spacing;
+  json["extent"] = estimation.getStatistics().extent;
+  json["parameters"] = describe (parameters);
+  for (const CrestType type : CREST_TYPES)
+    json[nameOf (type)] = describe (type, labels, estimation);
+  json["lines"] = Json::array();
+  for (const CrestLine& line : estimation.getLines())
+    json["lines"].push_back ({{"type", nameOf (line.type)},
+                              {"size", line.size},
+                              {"length", line.length},
+                              {"closed", line.closed}});
+  json["milliseconds"] = Json::object();
+  for (const StageTime& time : times)
+    json["milliseconds"][time.stage] = time.milliseconds;
+  json["threads"] = threadCount (parameters.threads);
+  return replaceFile (file, json.dump (2) + "\n", error);
+}
+
+} // namespace crest
+} // namespace pcl

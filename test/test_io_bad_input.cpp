@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that cannot be read are refused with a message that names them.
+#include <pcl_crest/io/read_cloud.h>
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_directory.h"
+
+#include <map>
+#include <random>
+
+using namespace pcl::crest;
+
+namespace {
+
+const std::string PCD_HEADER =
+    "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+const std::string VTK_HEADER =
+    "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n";
+
+/** \brief A correct file of each format, in text. */
+const std::map<std::string, std::string> GOOD{
+    {"a.pcd",
+     PCD_HEADER + "WIDTH 4\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii\n"
+                  "0 0 0\n1 0 0\n0 1 0\n1 1 0\n"},
+    {"a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+     "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+     "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"},
+    {"a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n"},
+    {"a.stl",
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+     "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+    {"a.vtk",
+     VTK_HEADER +
+         "POINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nPOLYGONS 1 4\n3 0 1 2\n"},
+    {"a.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n"}};
+
+class IoBadInput : public testing::Test {
+protected:
+  const oracle::TemporaryDirectory directory_;
+
+  /** \brief The message on a file that must be refused, without its name. */
+  static std::string
+  refusal (const std::string& file)
+  {
+    InputCloud cloud;
+    cloud.notes = {"untouched"};
+    std::string error;
+    EXPECT_FALSE (readCloud (file, 4, 1, cloud, error)) << file;
+    EXPECT_EQ (nullptr, cloud.points);
+    EXPECT_EQ (1U, cloud.notes.size());
+    EXPECT_EQ (0U, error.find (file)) << error;
+    return error.substr (std::min (file.size(), error.size()));
+  }
+
+  std::string
+  refusal (const std::string& name, const std::string& content) const
+  {
+    return refusal (directory_.file (name, content));
+  }
+};
+
+TEST_F (IoBadInput, GoodFilesAreRead)
+{
+  for (const auto& [name, content] : GOOD) {
+    InputCloud cloud;
+    std::string error;
+    EXPECT_TRUE (readCloud (directory_.file (name, content), 4, 1, cloud, error))
+        << error;
+  }
+}
+
+TEST_F (IoBadInput, WhatIsNoFile)
+{
+  for (const auto& [name, content] : GOOD) {
+    EXPECT_EQ (": there is no such file", refusal (directory_.file (name)));
+    EXPECT_EQ (": it is empty", refusal (name, ""));
+    std::filesystem::remove (directory_.file (name));
+    std::filesystem::create_directory (directory_.file (name));
+    EXPECT_EQ (": it is a directory, but a file is needed",
+               refusal (directory_.file (name)));
+  }
+  EXPECT_EQ (": it is not a regular file", refusal ("/dev/null"));
+  const std::string extension = refusal ("a.doc", "0 0 0\n");
+  EXPECT_NE (std::string::npos, extension.find ("\".doc\" is none of .pcd, .ply"));
+  EXPECT_NE (std::string::npos, refusal ("a", "0 0 0\n").find ("none of .pcd"));
+}
+
+TEST_F (IoBadInput, Garbage)
+{
+  std::mt19937 random (1);
+  std::string noise;
+  for (int i = 0; i < 5000; ++i)
+    noise += static_cast<char> (random());
+  for (const auto& [name, content] : GOOD) {
+    refusal (name, noise);
+    refusal (name, "This is a text that has nothing to do with points.\n");
+    refusal (name, std::string (1000, '\0'));
+    refusal (name, "\n\n\n");
+  }
+}
+
+TEST_F (IoBadInput, MistakesAreNamedWithTheirLine)
+{
+  const std::map<std::string, std::vector<std::array<std::string, 2>>> mistakes{
+      {"a.off",
+       {{"OFF\n3 0 0\n0 0 0\n1 0\n", ":4: expected 3 coordinates, found 2"},
+        {"OFF\n3 0 0\n0 0 0\n1 x 0\n", ":4: expected a coordinate, found \"x\""},
+        {"OFF\n2 0 0\n0 0 0\n", ":3: the file ends after 1 of 2 vertices"},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n",
+         ":4: vertex 1 is not one of the 1 (they count from 0)"},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0\n", ":4: expected 3 vertices, found 2"},
+        {"OFF\n-1 1 0\n",
+         ":2: the numbers of vertices and of faces must not be negative"},
+        {"OFF\n0 0 0\n", ": it has no points"},
+        {"4OFF\n0 0 0\n",
+         ":1: OFF files with the header \"4OFF\" are not supported, only OFF, COFF, "
+         "NOFF and CNOFF are"}}},
+      {"a.obj",
+       {{"v 0 0\n", ":1: expected 3 coordinates, found 2"},
+        {"v 0 0 0\nf 1 1 2\n",
+         ": a face has the corner 1, counted from 0, but there are only 1 points"},
+        {"v 0 0 0\n\nf 1 1 0\n",
+         ":3: there is no vertex or normal 0 (they count from 1, or backwards from "
+         "-1)"},
+        {"v 0 0 0\nf 1 1\n", ":2: expected at least 3 vertices, found 2"},
+        {"v 0,5 0 0\n", ":1: expected a coordinate, found \"0,5\""},
+        {"vn 0 0 1\n", ": it has no points"}}},
+      {"a.xyz",
+       {{"0 0 0\n1 2\n",
+         ":2: expected 3 numbers as in the lines before, found 2 words"},
+        {"0 0 0 0\n",
+         ":1: expected 3 numbers (x y z) or 6 (x y z nx ny nz), found 4 words"},
+        {"# only a comment\n", ": it has no points"}}},
+      {"a.stl",
+       {{"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n",
+         ":5: the file ends where a coordinate was expected"},
+        {"solid a\nendsolid a\n", ": it has no points"}}},
+      {"a.ply",
+       {{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
+         ": its vertices need the properties x, y and z"},
+        {"ply\nformat ascii 1.0\nproperty float x\n",
+         ":3: a property comes after an element"},
+        {"ply\nformat ascii 1.0\nelement vertex 1\n",
+         ":3: the file ends within its header, before \"end_header\""}}},
+      {"a.vtk",
+       {{"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n",
+         ":4: only the dataset POLYDATA is supported, found \"UNSTRUCTURED_GRID\""},
+        {VTK_HEADER + "POINTS 1 float\n0 0 0\nPOLYGONS 1 4\n3 0 0 1\n",
+         ":8: a face has a corner that is not one of the 1 points"}}},
+      {"a.pcd",
+       {{"VERSION .7\nFIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+         "DATA ascii\n0 0\n",
+         ": it has the fields \"x y\", but x, y and z are needed"},
+        {PCD_HEADER + "WIDTH 2\nHEIGHT 2\nPOINTS 3\nDATA ascii\n",
+         ": its header announces 3 points, but a width of 2 and a height of 2"},
+        {PCD_HEADER + "WIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n",
+         ": it has no points"}}}};
+  for (const auto& [name, cases] : mistakes)
+    for (const auto& [content, message] : cases)
+      EXPECT_EQ (message, refusal (name, content)) << content;
+}
+
+TEST_F (IoBadInput, HeadersThatAnnounceMoreThanThereIs)
+{
+  const std::string ply = "element vertex 2000000000\nproperty float x\n"
+                          "property float y\nproperty float z\nend_header\n0 0 0\n";
+  const std::vector<std::array<std::string, 2>> files{
+      {"a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"},
+      {"a.ply", "ply\nformat ascii 1.0\n" + ply},
+      {"a.ply", "ply\nformat binary_little_endian 1.0\n" + ply},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+       "property float z\nelement face 1\nproperty list int int vertex_index\n"
+       "end_header\n0 0 0\n2000000000 0 0 0\n"},
+      {"a.vtk", VTK_HEADER + "POINTS 2000000000 float\n0 0 0\n"},
+      {"a.vtk", VTK_HEADER + "POINTS 6148914691236517206 float\n0 0 0\n"},
+      {"a.vtk", VTK_HEADER + "POINTS 1 float\n0 0 0\nPOLYGONS 1 2000000000\n3 0 0 0\n"},
+      {"a.vtk",
+       VTK_HEADER +
+           "POINTS 1 float\n0 0 0\nFIELD f 1\na 99999999999 99999999999 int\n"},
+      {"a.stl", std::string (80, ' ') + "\xFF\xFF\xFF\x7F" + std::string (50, '\0')},
+      {"a.pcd",
+       PCD_HEADER +
+           "WIDTH 2000000000\nHEIGHT 1\nPOINTS 2000000000\nDATA ascii\n0 0 0\n"},
+      {"a.pcd",
+       PCD_HEADER + "WIDTH 2000000000\nHEIGHT 1\nPOINTS 2000000000\nDATA binary\nxx"},
+      {"a.pcd",
+       PCD_HEADER +
+           "WIDTH 100000000\nHEIGHT 1\nPOINTS 100000000\n"
+           "DATA binary_compressed\n" +
+           std::string ("\x04\0\0\0\0\x8C\x86\x47xxxx", 12)}};
+  for (const auto& [name, content] : files)
+    refusal (name, content);
+}
+
+TEST_F (IoBadInput, NoFileIsReadInPart)
+{
+  // Cut off anywhere before its last point, none of the files is taken for a whole one,
+  // but those that have neither a number of points nor an end.
+  for (const auto& [name, content] : GOOD)
+    if (name != "a.obj" && name != "a.xyz")
+      for (std::size_t length = 1; length + 26 < content.size(); ++length)
+        refusal (name, content.substr (0, length));
+}
+
+TEST_F (IoBadInput, DamagedFilesAreReadOrRefused)
+{
+  std::mt19937 random (5);
+  for (const auto& [name, content] : GOOD)
+    for (int round = 0; round < 300; ++round) {
+      std::string damaged = content;
+      for (unsigned i = 0; i <= random() % 4; ++i)
+        if (random() % 2 == 0)
+          damaged[random() % damaged.size()] = static_cast<char> (random());
+        else
+          damaged.insert (random() % damaged.size(), std::to_string (random()));
+      const std::string file = directory_.file (name, damaged);
+      InputCloud cloud;
+      std::string error;
+      if (readCloud (file, 4, 1, cloud, error)) {
+        ASSERT_FALSE (cloud.points->empty());
+        ASSERT_EQ (cloud.points->size(), cloud.points->width * cloud.points->height);
+      }
+      else
+        ASSERT_EQ (0U, error.find (file)) << error;
+    }
+}
+
+TEST_F (IoBadInput, FewAndDegeneratePointsAreReadAllTheSame)
+{
+  std::string line;
+  for (int i = 0; i < 30; ++i)
+    line += std::to_string (i) + " 0 0\n";
+  std::string equal;
+  for (int i = 0; i < 30; ++i)
+    equal += "1 2 3\n";
+  for (const std::string& content :
+       {std::string ("1 2 3\n"), std::string ("nan nan nan\n"), line, equal}) {
+    InputCloud cloud;
+    std::string error;
+    EXPECT_TRUE (readCloud (directory_.file ("a.xyz", content), 24, 1, cloud, error))
+        << error;
+  }
+}
+
+} // namespace

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every format, written by PCL, by VTK or by hand, is read with all its points in their
+// order, and with normals from the right source.
+#include <pcl_crest/io/read_cloud.h>
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/io/vtk_io.h>
+#include <pcl/conversions.h>
+#include <pcl/PolygonMesh.h>
+
+#include <gtest/gtest.h>
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSTLWriter.h>
+
+#include "support/sphere_mesh.h"
+#include "support/temporary_directory.h"
+
+#include <clocale>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <tuple>
+
+using namespace pcl::crest;
+
+namespace {
+
+class IoFormats : public testing::Test {
+protected:
+  const oracle::TemporaryDirectory directory_;
+  const oracle::TriangleMesh mesh_ = oracle::cubeSphere (4);
+
+  InputCloud
+  read (const std::string& file) const
+  {
+    InputCloud cloud;
+    std::string error;
+    EXPECT_TRUE (readCloud (file, 12, 1, cloud, error)) << error;
+    if (!cloud.points)
+      cloud.points.reset (new pcl::PointCloud<pcl::PointNormal>);
+    return cloud;
+  }
+
+  /** \brief The points are exactly those of the mesh, in its order. */
+  void
+  expectPoints (const InputCloud& cloud, float precision = 0.0F) const
+  {
+    ASSERT_EQ (mesh_.points.size(), cloud.points->size());
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+      ASSERT_LE (((*cloud.points)[i].getVector3fMap() - mesh_.points[i]).norm(),
+                 precision)
+          << "point " << i;
+    EXPECT_TRUE (cloud.points->is_dense);
+  }
+
+  /** \brief The normals look outward, like those of a sphere. */
+  static void
+  expectOutward (const InputCloud& cloud)
+  {
+    for (const pcl::PointNormal& point : *cloud.points)
+      ASSERT_GT (point.getNormalVector3fMap().dot (point.getVector3fMap()), 0.9F);
+  }
+
+  /** \brief A normal that is not that of the sphere, so that its source is known. */
+  static Eigen::Vector3f
+  markedNormal (std::size_t i)
+  {
+    return Eigen::Vector3f (1.0F, static_cast<float> (i), 2.0F).normalized();
+  }
+
+  static void
+  expectMarkedNormals (const InputCloud& cloud)
+  {
+    EXPECT_EQ (NormalSource::FILE, cloud.normals);
+    for (std::size_t i = 0; i < cloud.points->size(); ++i)
+      ASSERT_LE (((*cloud.points)[i].getNormalVector3fMap() - markedNormal (i)).norm(),
+                 1e-6F);
+  }
+
+  std::string
+  lines (const std::string& prefix, bool normals = false) const
+  {
+    std::ostringstream text;
+    text.precision (9);
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      text << prefix << mesh_.points[i].transpose();
+      if (normals)
+        text << ' ' << markedNormal (i).transpose();
+      text << '\n';
+    }
+    return text.str();
+  }
+
+  pcl::PointCloud<pcl::PointXYZ>
+  xyz () const
+  {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (const Eigen::Vector3f& p : mesh_.points)
+      cloud.push_back ({p.x(), p.y(), p.z()});
+    return cloud;
+  }
+
+  pcl::PolygonMesh
+  polygonMesh () const
+  {
+    pcl::PolygonMesh polygons;
+    pcl::toPCLPointCloud2 (xyz(), polygons.cloud);
+    for (const auto& t : mesh_.triangles) {
+      polygons.polygons.emplace_back();
+      polygons.polygons.back().vertices.assign (t.begin(), t.end());
+    }
+    return polygons;
+  }
+
+  vtkNew<vtkPolyData>
+  polyData () const
+  {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPoints> points;
+    for (const Eigen::Vector3f& p : mesh_.points)
+      points->InsertNextPoint (p.x(), p.y(), p.z());
+    vtkNew<vtkCellArray> cells;
+    for (const auto& t : mesh_.triangles) {
+      const vtkIdType corners[3] = {t[0], t[1], t[2]};
+      cells->InsertNextCell (3, corners);
+    }
+    data->SetPoints (points);
+    data->SetPolys (cells);
+    return data;
+  }
+};
+
+TEST_F (IoFormats, PcdOfEveryCoding)
+{
+  pcl::PointCloud<pcl::PointNormal> cloud;
+  pcl::copyPointCloud (xyz(), cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].getNormalVector3fMap() = markedNormal (i);
+  const std::string file = directory_.file ("a.pcd");
+  pcl::PCDWriter writer;
+  writer.writeASCII (file, cloud, 9);
+  expectPoints (read (file));
+  expectMarkedNormals (read (file));
+  writer.writeBinary (file, cloud);
+  expectPoints (read (file));
+  expectMarkedNormals (read (file));
+  writer.writeBinaryCompressed (file, cloud);
+  expectPoints (read (file));
+  expectMarkedNormals (read (file));
+}
+
+TEST_F (IoFormats, PcdWithoutNormals)
+{
+  const std::string file = directory_.file ("a.PCD");
+  pcl::PCDWriter().writeBinary (file, xyz());
+  const InputCloud cloud = read (file);
+  expectPoints (cloud);
+  EXPECT_EQ (NormalSource::ESTIMATED, cloud.normals);
+  expectOutward (cloud);
+}
+
+TEST_F (IoFormats, PcdStaysOrganized)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud (7, 5);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i] = {static_cast<float> (i % 7), static_cast<float> (i / 7), 1.0F};
+  cloud.at (3, 2).z = std::numeric_limits<float>::quiet_NaN();
+  cloud.is_dense = true;
+  cloud.sensor_origin_ = Eigen::Vector4f (3.0F, 2.0F, -9.0F, 0.0F);
+  const std::string file = directory_.file ("a.pcd");
+  pcl::PCDWriter().writeBinary (file, cloud);
+  const InputCloud read_cloud = read (file);
+  EXPECT_EQ (7U, read_cloud.points->width);
+  EXPECT_EQ (5U, read_cloud.points->height);
+  EXPECT_FALSE (read_cloud.points->is_dense);
+  EXPECT_EQ (cloud.sensor_origin_, read_cloud.points->sensor_origin_);
+  EXPECT_EQ ("1 of 35 points are not finite.", read_cloud.notes.at (0));
+  // A plane is open, and its viewpoint is below.
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const bool is_hole = i == 3 + 2 * 7;
+    EXPECT_EQ (!is_hole, (*read_cloud.points)[i].normal_z < -0.99F) << i;
+  }
+}
+
+TEST_F (IoFormats, PcdOfDoubles)
+{
+  std::string text = "VERSION .7\nFIELDS z y x\nSIZE 8 8 8\nTYPE F F F\nWIDTH 4\n"
+                     "HEIGHT 1\nPOINTS 4\nDATA ascii\n1 2 3\n4 5 6\n7 8 9\n1 1 1\n";
+  const InputCloud cloud = read (directory_.file ("a.pcd", text));
+  ASSERT_EQ (4U, cloud.points->size());
+  EXPECT_EQ (Eigen::Vector3f (6, 5, 4), (*cloud.points)[1].getVector3fMap());
+}
+
+TEST_F (IoFormats, PlyFromPcl)
+{
+  const std::string file = directory_.file ("a.ply");
+  for (const bool binary : {false, true}) {
+    if (binary)
+      pcl::io::savePLYFileBinary (file, polygonMesh());
+    else
+      pcl::io::savePLYFile (file, polygonMesh(), 9);
+    const InputCloud cloud = read (file);
+    expectPoints (cloud);
+    EXPECT_EQ (NormalSource::FACES, cloud.normals);
+    expectOutward (cloud);
+  }
+}
+
+TEST_F (IoFormats, PlyOfOtherByteOrderAndTypes)
+{
+  std::string text = "ply\r\nformat binary_big_endian 1.0\r\ncomment x\r\nelement odd "
+                     "1\r\nproperty list uchar short s\r\nelement vertex 2\r\nproperty "
+                     "uchar red\r\nproperty double x\r\nproperty short y\r\nproperty "
+                     "float z\r\nend_header\r\n";
+  const auto bytes = [&text] (std::initializer_list<int> values) {
+    for (const int value : values)
+      text += static_cast<char> (value);
+  };
+  bytes ({2, 0, 1, 0, 2});
+  bytes ({9, 0x3F, 0xF8, 0, 0, 0, 0, 0, 0, 0xFF, 0xFE, 0x40, 0x40, 0, 0});
+  bytes ({9, 0xC0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0});
+  const InputCloud cloud = read (directory_.file ("a.ply", text));
+  ASSERT_EQ (2U, cloud.points->size());
+  EXPECT_EQ (Eigen::Vector3f (1.5F, -2, 3), (*cloud.points)[0].getVector3fMap());
+  EXPECT_EQ (Eigen::Vector3f (-2, 7, 0), (*cloud.points)[1].getVector3fMap());
+}
+
+TEST_F (IoFormats, Off)
+{
+  std::ostringstream faces;
+  for (const auto& t : mesh_.triangles)
+    faces << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << " 255 0 0\n";
+  const std::string counts = std::to_string (mesh_.points.size()) + " " +
+                             std::to_string (mesh_.triangles.size()) + " 0\n";
+  const InputCloud cloud = read (directory_.file (
+      "a.off", "OFF # a comment\n\n" + counts + "# more\n" + lines ("") + faces.str()));
+  expectPoints (cloud);
+  EXPECT_EQ (NormalSource::FACES, cloud.normals);
+  expectOutward (cloud);
+  const InputCloud with_normals = read (
+      directory_.file ("n.off", "NOFF " + counts + lines ("", true) + faces.str()));
+  expectPoints (with_normals);
+  expectMarkedNormals (with_normals);
+}
+
+TEST_F (IoFormats, ObjInAllItsForms)
+{
+  const auto n = static_cast<int> (mesh_.points.size());
+  std::ostringstream normals;
+  normals.precision (9);
+  for (int i = 0; i < n; ++i)
+    normals << "vn " << markedNormal (i).transpose() << "\n";
+  // How the corner i of a face is written, and whether normals are those of points.
+  const std::vector<std::tuple<std::string, std::function<std::string (int)>, bool>>
+      forms{
+          {"", [] (int i) { return std::to_string (i + 1); }, false},
+          {"", [n] (int i) { return std::to_string (i - n); }, false},
+          {"vt 0 0\n", [] (int i) { return std::to_string (i + 1) + "/1"; }, false},
+          {normals.str(),
+           [] (int i) {
+             return std::to_string (i + 1) + "//" + std::to_string (i + 1);
+           },
+           true},
+          {normals.str() + "vt 0 0\n",
+           [n] (int i) {
+             return std::to_string (i + 1) + "/1/" + std::to_string (i - n);
+           },
+           true},
+          {normals.str(),
+           [n] (int i) {
+             return std::to_string (i + 1) + "//" + std::to_string (n - i);
+           },
+           false},
+          {"vn 0 0 1\n", [] (int i) { return std::to_string (i + 1) + "//1"; }, false}};
+  for (const auto& [extra, corner, has_normals] : forms) {
+    std::ostringstream faces;
+    for (const auto& t : mesh_.triangles)
+      faces << "f " << corner (t[0]) << " \\\r\n"
+            << corner (t[1]) << ' ' << corner (t[2]) << "\r\n";
+    const InputCloud cloud =
+        read (directory_.file ("a.obj",
+                               "# x\r\nmtllib m.mtl\r\no name\r\n" + lines ("v ") +
+                                   extra + "g group\nusemtl m\ns off\n" + faces.str()));
+    expectPoints (cloud);
+    if (has_normals)
+      expectMarkedNormals (cloud);
+    else {
+      EXPECT_EQ (NormalSource::FACES, cloud.normals) << extra.substr (0, 20);
+      expectOutward (cloud);
+    }
+  }
+}
+
+TEST_F (IoFormats, Xyz)
+{
+  const InputCloud cloud = read (directory_.file ("a.xyz", "# x y z\n" + lines ("")));
+  expectPoints (cloud);
+  EXPECT_EQ (NormalSource::ESTIMATED, cloud.normals);
+  expectOutward (cloud);
+  expectMarkedNormals (read (directory_.file ("n.txt", lines ("  ", true))));
+}
+
+TEST_F (IoFormats, XyzWithColorsHasNoNormals)
+{
+  std::ostringstream text;
+  text.precision (9);
+  for (const Eigen::Vector3f& p : mesh_.points)
+    text << p.transpose() << " 200 100 0\n";
+  const InputCloud cloud = read (directory_.file ("a.xyz", text.str()));
+  EXPECT_EQ (NormalSource::ESTIMATED, cloud.normals);
+  expectOutward (cloud);
+}
+
+TEST_F (IoFormats, VtkOfEveryVersionAndCoding)
+{
+  const vtkNew<vtkPolyData> data = polyData();
+  const std::string file = directory_.file ("a.vtk");
+  for (const bool normals : {false, true}) {
+    if (normals) {
+      vtkNew<vtkFloatArray> array;
+      array->SetName ("normals of points");
+      array->SetNumberOfComponents (3);
+      vtkNew<vtkFloatArray> scalars;
+      scalars->SetName ("height");
+      for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+        array->InsertNextTuple (markedNormal (i).data());
+        scalars->InsertNextValue (mesh_.points[i].z());
+      }
+      data->GetPointData()->SetScalars (scalars);
+      data->GetPointData()->SetNormals (array);
+    }
+    for (const bool binary : {false, true})
+      for (const int version : {vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2,
+                                vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_5_1}) {
+        vtkNew<vtkPolyDataWriter> writer;
+        writer->SetFileName (file.c_str());
+        writer->SetInputData (data);
+        writer->SetFileVersion (version);
+        binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+        ASSERT_EQ (1, writer->Write());
+        const InputCloud cloud = read (file);
+        expectPoints (cloud, binary ? 0.0F : 1e-5F);
+        if (normals)
+          for (std::size_t i = 0; i < cloud.points->size(); ++i)
+            ASSERT_LE (
+                ((*cloud.points)[i].getNormalVector3fMap() - markedNormal (i)).norm(),
+                1e-5F);
+        else
+          expectOutward (cloud);
+        EXPECT_EQ (normals ? NormalSource::FILE : NormalSource::FACES, cloud.normals);
+      }
+  }
+}
+
+TEST_F (IoFormats, VtkFromPcl)
+{
+  const std::string file = directory_.file ("a.vtk");
+  ASSERT_EQ (0, pcl::io::saveVTKFile (file, polygonMesh(), 9));
+  const InputCloud cloud = read (file);
+  expectPoints (cloud);
+  expectOutward (cloud);
+}
+
+TEST_F (IoFormats, VtkTriangleStrip)
+{
+  const InputCloud cloud = read (directory_.file (
+      "a.vtk",
+      "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n0 0 0\n"
+      "1 0 0\n0 1 0\n1 1 0\n0 2 0\nTRIANGLE_STRIPS 1 6\n5 0 1 2 3 4\n"));
+  EXPECT_EQ (NormalSource::FACES, cloud.normals);
+  ASSERT_EQ (5U, cloud.points->size());
+  for (const pcl::PointNormal& point : *cloud.points)
+    EXPECT_EQ (Eigen::Vector3f::UnitZ(), point.getNormalVector3fMap());
+}
+
+TEST_F (IoFormats, StlMergesCornersInTheirOrder)
+{
+  std::vector<int> order;
+  for (const auto& t : mesh_.triangles)
+    for (const int corner : t)
+      if (std::find (order.begin(), order.end(), corner) == order.end())
+        order.push_back (corner);
+  const vtkNew<vtkPolyData> data = polyData();
+  for (const bool binary : {false, true}) {
+    const std::string file = directory_.file ("a.stl");
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileName (file.c_str());
+    writer->SetInputData (data);
+    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+    ASSERT_EQ (1, writer->Write());
+    const InputCloud cloud = read (file);
+    ASSERT_EQ (order.size(), cloud.points->size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      ASSERT_LE (((*cloud.points)[i].getVector3fMap() - mesh_.points[order[i]]).norm(),
+                 1e-5F);
+    EXPECT_EQ (NormalSource::FACES, cloud.normals);
+    expectOutward (cloud);
+  }
+}
+
+/** \brief Writes decimal commas, on machines without any such locale too. */
+class CommaPoint : public std::numpunct<char> {
+  char
+  do_decimal_point () const override
+  {
+    return ',';
+  }
+};
+
+TEST_F (IoFormats, NumbersDoNotDependOnTheLocale)
+{
+  const std::string xyz = directory_.file ("a.xyz", lines (""));
+  const std::string pcd = directory_.file ("a.pcd");
+  pcl::PCDWriter().writeASCII (pcd, this->xyz(), 9);
+  const std::string c_before = std::setlocale (LC_ALL, nullptr);
+  std::setlocale (LC_ALL, "de_DE.UTF-8");
+  const std::locale before =
+      std::locale::global (std::locale (std::locale::classic(), new CommaPoint));
+  const InputCloud from_xyz = read (xyz);
+  const InputCloud from_pcd = read (pcd);
+  std::locale::global (before);
+  std::setlocale (LC_ALL, c_before.c_str());
+  expectPoints (from_xyz);
+  expectPoints (from_pcd);
+}
+
+TEST_F (IoFormats, NumbersOfAnySize)
+{
+  const InputCloud cloud = read (directory_.file (
+      "a.xyz", "1e-400 +2.5 -1E3\n1e400 0 0\n-1e400 nan inf\n1 1 1\n.5 5. -0\n"));
+  ASSERT_EQ (5U, cloud.points->size());
+  EXPECT_EQ (Eigen::Vector3f (0, 2.5F, -1000), (*cloud.points)[0].getVector3fMap());
+  EXPECT_EQ (std::numeric_limits<float>::infinity(), (*cloud.points)[1].x);
+  EXPECT_EQ (-std::numeric_limits<float>::infinity(), (*cloud.points)[2].x);
+  EXPECT_TRUE (std::isnan ((*cloud.points)[2].y));
+  EXPECT_EQ (Eigen::Vector3f (0.5F, 5, 0), (*cloud.points)[4].getVector3fMap());
+  EXPECT_FALSE (cloud.points->is_dense);
+  EXPECT_EQ ("2 of 5 points are not finite.", cloud.notes.at (0));
+}
+
+} // namespace

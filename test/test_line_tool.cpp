@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs pcl_crest_line_estimation as a user does.
+#include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/io/read_cloud.h>
+
+#include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include "support/analytic_surface.h"
+#include "support/temporary_directory.h"
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+using namespace pcl::crest;
+
+namespace {
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string error;
+};
+
+class LineTool : public testing::Test {
+protected:
+  const oracle::TemporaryDirectory directory_;
+  /** where the program puts its output, apart from what the test puts there */
+  const oracle::TemporaryDirectory outputs_;
+  const pcl::PointCloud<pcl::PointNormal>::Ptr cloud_ =
+      oracle::sample (oracle::bumpySphere(), 3000);
+
+  std::string
+  input () const
+  {
+    std::ostringstream text;
+    text.precision (9);
+    for (const pcl::PointNormal& p : *cloud_)
+      text << p.getVector3fMap().transpose() << ' '
+           << p.getNormalVector3fMap().transpose() << '\n';
+    return directory_.file ("in put.xyz", text.str());
+  }
+
+  Outcome
+  run (const std::vector<std::string>& arguments, const std::string& before = "") const
+  {
+    std::string command = before + "'" + PCL_CREST_LINE_TOOL + "'";
+    for (const std::string& argument : arguments)
+      command += " '" + argument + "'";
+    command +=
+        " >'" + directory_.file ("out") + "' 2>'" + directory_.file ("err") + "'";
+    const int status = std::system (command.c_str());
+    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
+            oracle::contentOf (directory_.file ("out")),
+            oracle::contentOf (directory_.file ("err"))};
+  }
+
+  void
+  expectUsageError (const std::vector<std::string>& arguments,
+                    const std::string& message) const
+  {
+    const Outcome result = run (arguments);
+    EXPECT_EQ (1, result.code) << message;
+    EXPECT_NE (std::string::npos, result.error.find (message)) << result.error;
+    EXPECT_NE (std::string::npos, result.error.find ("-h tells")) << result.error;
+    EXPECT_TRUE (outputs_.names().empty());
+  }
+};
+
+TEST_F (LineTool, WritesWhatTheLibraryComputes)
+{
+  const std::vector<std::string> names{"c.pcd", "l.obj", "o.pcd", "s.json"};
+  const Outcome result = run ({input(),       outputs_.file ("o.pcd"),
+                               "-M_ridge",    "0.4",
+                               "-M",          "0.2",
+                               "-S",          "12",
+                               "-S_valley",   "14",
+                               "-k",          "20",
+                               "-prune",      "6",
+                               "-threads",    "1",
+                               "-lines",      outputs_.file ("l.obj"),
+                               "-stats",      outputs_.file ("s.json"),
+                               "-curvatures", outputs_.file ("c.pcd")});
+  ASSERT_EQ (0, result.code) << result.error;
+  EXPECT_EQ ("", result.error);
+  EXPECT_EQ (names, outputs_.names());
+  for (const std::string& name : names)
+    EXPECT_NE (std::string::npos, result.out.find ("Wrote " + outputs_.file (name)));
+  EXPECT_NE (std::string::npos, result.out.find ("Read 3"));
+  EXPECT_NE (std::string::npos, result.out.find ("normals: file"));
+
+  InputCloud cloud;
+  std::string error;
+  ASSERT_TRUE (readCloud (input(), 20, 1, cloud, error)) << error;
+  Parameters parameters;
+  parameters.maximality = {0.4, 0.2};
+  parameters.min_size = {12, 14};
+  parameters.k = 20;
+  parameters.prune = 6;
+  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+  estimation.setInputCloud (cloud.points);
+  estimation.setParameters (parameters);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  pcl::PointCloud<pcl::PointXYZLNormal> written;
+  ASSERT_EQ (0, pcl::io::loadPCDFile (outputs_.file ("o.pcd"), written));
+  ASSERT_EQ (cloud_->size(), written.size());
+  std::set<std::uint32_t> found;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    ASSERT_EQ (labels[i].label, written[i].label);
+    ASSERT_EQ (estimation.getPrincipalCurvatures()[i].pc1, written[i].curvature);
+    ASSERT_LE ((written[i].getVector3fMap() - (*cloud_)[i].getVector3fMap()).norm(),
+               1e-6F);
+    found.insert (written[i].label);
+  }
+  EXPECT_EQ (1U, found.count (LABEL_RIDGE));
+  EXPECT_EQ (1U, found.count (LABEL_VALLEY));
+  const auto json =
+      nlohmann::json::parse (oracle::contentOf (outputs_.file ("s.json")));
+  EXPECT_EQ (estimation.getLines().size(), json.at ("lines").size());
+  EXPECT_EQ (0.4, json.at ("parameters").at ("M_ridge"));
+  EXPECT_EQ (0.2, json.at ("parameters").at ("M_valley"));
+  EXPECT_EQ (1, json.at ("threads"));
+  for (const std::string stage : {"reading", "normals", "surface graph", "writing"})
+    EXPECT_TRUE (json.at ("milliseconds").contains (stage)) << stage;
+}
+
+TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
+{
+  const auto labelsOf = [this] (std::vector<std::string> options) {
+    options.insert (options.begin(), {input(), outputs_.file ("o.pcd")});
+    const Outcome result = run (options);
+    EXPECT_EQ (0, result.code) << result.error;
+    pcl::PointCloud<pcl::PointXYZLNormal> written;
+    pcl::io::loadPCDFile (outputs_.file ("o.pcd"), written);
+    std::array<std::size_t, 6> count{};
+    for (const pcl::PointXYZLNormal& point : written)
+      ++count.at (point.label);
+    return count;
+  };
+  const auto ridges = labelsOf ({"-type", "ridges"});
+  EXPECT_GT (ridges[LABEL_RIDGE], 0U);
+  EXPECT_EQ (0U, ridges[LABEL_VALLEY] + ridges[LABEL_VALLEY_GROWN]);
+  const auto valleys = labelsOf ({"-type", "valleys"});
+  EXPECT_EQ (0U, valleys[LABEL_RIDGE] + valleys[LABEL_RIDGE_GROWN]);
+  EXPECT_GT (valleys[LABEL_VALLEY], 0U);
+  const auto both = labelsOf ({"-type", "both"});
+  EXPECT_EQ (ridges[LABEL_RIDGE], both[LABEL_RIDGE]);
+
+  // M in the file's unit, with the same value in the relative one.
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointNormal& p : *cloud_)
+    box.extend (p.getVector3fMap());
+  const double tenth = box.sizes().maxCoeff() / 10.0;
+  const auto relative = labelsOf ({"-M", "0.5"});
+  EXPECT_EQ (relative,
+             labelsOf ({"-absolute", "-M", std::to_string (0.5 / (tenth * tenth))}));
+  EXPECT_NE (relative, both);
+  // No point has neighbours within so small a radius.
+  EXPECT_EQ (cloud_->size(), labelsOf ({"-radius", "1e-6"})[LABEL_INVALID]);
+}
+
+TEST_F (LineTool, HelpGoesToTheStandardOutput)
+{
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"-h"}, {"a", "b.pcd", "-h"}}) {
+    const Outcome result = run (arguments);
+    EXPECT_EQ (0, result.code);
+    EXPECT_EQ ("", result.error);
+    for (const char* option : {"-k ",
+                               "-radius ",
+                               "-M ",
+                               "-M_ridge ",
+                               "-M_valley ",
+                               "-absolute ",
+                               "-S ",
+                               "-S_ridge ",
+                               "-S_valley ",
+                               "-prune ",
+                               "-type ",
+                               "-threads ",
+                               "-lines ",
+                               "-stats ",
+                               "-curvatures ",
+                               "-h ",
+                               "(default 24)"})
+      EXPECT_NE (std::string::npos, result.out.find (option)) << option;
+  }
+}
+
+TEST_F (LineTool, WrongUsage)
+{
+  const std::string in = input();
+  const std::string out = outputs_.file ("o.pcd");
+  expectUsageError ({}, "found 0");
+  expectUsageError ({in}, "found 1");
+  expectUsageError ({in, out, "more"}, "found 3");
+  expectUsageError ({in, out, "-quadrants", "2"}, "no option \"-quadrants\"");
+  expectUsageError ({in, out, "--help"}, "no option \"--help\"");
+  expectUsageError ({in, out, "-k"}, "-k needs a value");
+  expectUsageError ({in, out, "-lines", "-stats"}, "-lines needs a value");
+  expectUsageError ({in, out, "-k", "8", "-k", "9"}, "-k is given twice");
+  expectUsageError ({in, out, "-k", "1x"}, "-k is \"1x\", but must be a whole number");
+  expectUsageError ({in, out, "-k", "2.5"}, "must be a whole number");
+  expectUsageError ({in, out, "-k", ""}, "must be a whole number");
+  expectUsageError ({in, out, "-k", "3"}, "k is 3, but must be from 4");
+  expectUsageError ({in, out, "-k", "9", "-radius", "1"}, "exclude each other");
+  expectUsageError ({in, out, "-radius", "0"}, "above 0");
+  expectUsageError ({in, out, "-radius", "nan"}, "above 0");
+  expectUsageError ({in, out, "-M", "0,5"}, "must be a number");
+  expectUsageError ({in, out, "-M_valley", "-1"}, "M is -1");
+  expectUsageError ({in, out, "-M", "nan"}, "M is nan");
+  expectUsageError ({in, out, "-S_ridge", "-2"}, "S is -2");
+  expectUsageError ({in, out, "-prune", "-1"}, "-1");
+  expectUsageError ({in, out, "-type", "creases"}, "ridges, valleys or both");
+  expectUsageError ({in, out, "-threads", "-1"}, "not negative");
+  expectUsageError ({in, out, "-threads", "99999"}, "at most");
+  expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd");
+  expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")}, ".obj, .ply or .vtk");
+  expectUsageError ({in, out, "-stats", outputs_.file ("s.txt")}, "must be .json");
+  expectUsageError ({in, out, "-curvatures", out}, "named twice");
+  expectUsageError ({out, out}, "named twice");
+  expectUsageError (
+      {in, out, "-curvatures", outputs_.file ("../") + out.substr (out.find ("pcl_"))},
+      "named twice");
+}
+
+TEST_F (LineTool, InputsThatCannotBeRead)
+{
+  const std::string bad = directory_.file ("bad.off", "OFF\n3 0 0\n0 0 0\n1 0\n");
+  for (const auto& [file, message] : std::vector<std::array<std::string, 2>>{
+           {directory_.file ("lost.pcd"), "there is no such file"},
+           {bad, ":4: expected 3 coordinates, found 2"},
+           {directory_.file ("a.doc", "x"), "none of .pcd"}}) {
+    const Outcome result =
+        run ({file, outputs_.file ("o.pcd"), "-stats", outputs_.file ("s.json")});
+    EXPECT_EQ (2, result.code);
+    EXPECT_NE (std::string::npos, result.error.find (file)) << result.error;
+    EXPECT_NE (std::string::npos, result.error.find (message)) << result.error;
+    EXPECT_EQ (1, std::count (result.error.begin(), result.error.end(), '\n'));
+    EXPECT_TRUE (outputs_.names().empty());
+  }
+}
+
+TEST_F (LineTool, OutputsThatCannotBeWrittenAreFoundOutFirst)
+{
+  std::filesystem::create_directory (outputs_.file ("d.json"));
+  const std::vector<std::string> left{"d.json"};
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{
+           {outputs_.file ("no/o.pcd")},
+           {outputs_.file ("o.pcd"), "-stats", outputs_.file ("d.json")},
+           {outputs_.file ("o.pcd"), "-lines", outputs_.file ("no/l.ply")}}) {
+    std::vector<std::string> all{input()};
+    all.insert (all.end(), arguments.begin(), arguments.end());
+    const Outcome result = run (all);
+    EXPECT_EQ (2, result.code);
+    EXPECT_NE (std::string::npos, result.error.find (arguments.back()));
+    EXPECT_EQ ("", result.out) << "it has begun to compute";
+    EXPECT_EQ (left, outputs_.names());
+  }
+}
+
+TEST_F (LineTool, AFullDiskLeavesNothing)
+{
+  const Outcome result =
+      run ({input(), outputs_.file ("o.pcd")}, "trap '' XFSZ; ulimit -f 8; ");
+  EXPECT_EQ (2, result.code);
+  EXPECT_NE (std::string::npos, result.error.find (outputs_.file ("o.pcd")));
+  EXPECT_TRUE (outputs_.names().empty());
+}
+
+TEST_F (LineTool, CloudsWithoutAnyShapeAreLabelledInvalidOrNone)
+{
+  std::string line;
+  std::string equal;
+  std::string plane;
+  for (int i = 0; i < 100; ++i) {
+    line += std::to_string (i) + " 0 0\n";
+    equal += "1 2 3\n";
+    plane += std::to_string (i % 10) + " " + std::to_string (i / 10) + " 0\n";
+  }
+  for (const std::string& content :
+       {line, equal, plane, std::string ("1 2 3\n"), std::string ("nan 0 0\n")}) {
+    const Outcome result =
+        run ({directory_.file ("a.xyz", content), outputs_.file ("o.pcd")});
+    EXPECT_EQ (0, result.code) << result.error;
+    pcl::PointCloud<pcl::PointXYZLNormal> written;
+    ASSERT_EQ (0, pcl::io::loadPCDFile (outputs_.file ("o.pcd"), written));
+    EXPECT_EQ (std::count (content.begin(), content.end(), '\n'), written.size());
+    for (const pcl::PointXYZLNormal& point : written)
+      EXPECT_TRUE (point.label == LABEL_NONE || point.label == LABEL_INVALID);
+  }
+}
+
+} // namespace

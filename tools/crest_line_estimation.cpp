@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// pcl_crest_line_estimation: labels the crest points of a file and writes its crest
+// lines. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
+// written.
+#include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/io/output_file.h>
+#include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/io/write_labels.h>
+#include <pcl_crest/io/write_lines.h>
+#include <pcl_crest/io/write_statistics.h>
+
+#include "options.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+
+using namespace pcl::crest;
+
+namespace {
+
+constexpr int EXIT_DONE = 0;
+constexpr int EXIT_USAGE = 1;
+constexpr int EXIT_FILE = 2;
+
+struct Files {
+  std::string input;
+  std::string output;
+  std::string lines;
+  std::string statistics;
+  std::string curvatures;
+};
+
+int
+fail (int code, const std::string& message)
+{
+  std::cerr << "pcl_crest_line_estimation: " << message << "\n";
+  if (code == EXIT_USAGE)
+    std::cerr << "pcl_crest_line_estimation -h tells how to use it\n";
+  return code;
+}
+
+/** \brief Finds out before the computation whether all outputs can be written, and
+ * apart from each other. The code to exit with; EXIT_DONE if all is well.
+ */
+int
+checkOutputs (const Files& files, std::string& error)
+{
+  struct Output {
+    std::string file;
+    std::vector<std::string> extensions;
+  };
+  const std::vector<Output> outputs{{files.output, {".pcd"}},
+                                    {files.lines, lineExtensions()},
+                                    {files.statistics, {".json"}},
+                                    {files.curvatures, {".pcd"}}};
+  std::vector<std::string> taken{files.input};
+  for (const Output& output : outputs) {
+    if (output.file.empty())
+      continue;
+    const auto same = [&output] (const std::string& other) {
+      namespace fs = std::filesystem;
+      std::error_code ignored;
+      return fs::equivalent (other, output.file, ignored) ||
+             fs::weakly_canonical (other, ignored) ==
+                 fs::weakly_canonical (output.file, ignored);
+    };
+    if (std::any_of (taken.begin(), taken.end(), same)) {
+      error =
+          output.file + " is named twice: inputs and outputs must be different files";
+      return EXIT_USAGE;
+    }
+    taken.push_back (output.file);
+    if (!hasExtension (output.file, output.extensions, error))
+      return EXIT_USAGE;
+  }
+  for (const Output& output : outputs)
+    if (!output.file.empty() && !checkWritable (output.file, error))
+      return EXIT_FILE;
+  return EXIT_DONE;
+}
+
+void
+report (const Files& files, const InputCloud& cloud)
+{
+  std::cout << "Read " << cloud.points->size() << " points from " << files.input
+            << "; normals: " << nameOf (cloud.normals) << "\n";
+  for (const std::string& note : cloud.notes)
+    std::cout << "  " << note << "\n";
+}
+
+void
+report (const std::vector<CrestLine>& lines, const pcl::PointCloud<pcl::Label>& labels)
+{
+  for (const CrestType type : CREST_TYPES) {
+    const bool ridge = type == CrestType::RIDGE;
+    const std::uint32_t code = ridge ? LABEL_RIDGE : LABEL_VALLEY;
+    std::cout << (ridge ? "Ridges:  " : "Valleys: ")
+              << std::count_if (
+                     labels.begin(),
+                     labels.end(),
+                     [code] (const pcl::Label& l) { return l.label == code; })
+              << " crest points, "
+              << std::count_if (lines.begin(),
+                                lines.end(),
+                                [type] (const CrestLine& l) { return l.type == type; })
+              << " lines\n";
+  }
+}
+
+void
+report (const std::vector<StageTime>& times)
+{
+  std::cout << "Milliseconds:" << std::fixed << std::setprecision (1);
+  const char* separator = " ";
+  for (const StageTime& time : times) {
+    std::cout << separator << time.stage << " " << time.milliseconds;
+    separator = ", ";
+  }
+  std::cout << "\n";
+}
+
+int
+run (const Files& files, const Parameters& parameters)
+{
+  std::string error;
+  InputCloud cloud;
+  if (!readCloud (files.input, parameters.k, parameters.threads, cloud, error))
+    return fail (EXIT_FILE, error);
+  report (files, cloud);
+
+  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+  estimation.setInputCloud (cloud.points);
+  estimation.setParameters (parameters);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  if (labels.size() != cloud.points->size())
+    return fail (EXIT_USAGE, "the crest lines could not be computed");
+  report (estimation.getLines(), labels);
+
+  std::vector<StageTime> times = cloud.times;
+  const std::vector<StageTime>& stages = estimation.getStatistics().times;
+  times.insert (times.end(), stages.begin(), stages.end());
+  Stopwatch watch (times);
+  const pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures =
+      estimation.getPrincipalCurvatures();
+  const auto written = [] (bool done, const std::string& file) {
+    if (done)
+      std::cout << "Wrote " << file << "\n";
+    return done;
+  };
+  if (!written (writeLabels (files.output, *cloud.points, labels, curvatures, error),
+                files.output))
+    return fail (EXIT_FILE, error);
+  if (!files.lines.empty() &&
+      !written (writeLines (files.lines, *cloud.points, estimation.getLines(), error),
+                files.lines))
+    return fail (EXIT_FILE, error);
+  if (!files.curvatures.empty() &&
+      !written (writeCurvatures (files.curvatures, *cloud.points, curvatures, error),
+                files.curvatures))
+    return fail (EXIT_FILE, error);
+  watch.stageDone ("writing");
+  if (!files.statistics.empty() &&
+      !written (
+          writeStatistics (files.statistics, cloud, labels, estimation, times, error),
+          files.statistics))
+    return fail (EXIT_FILE, error);
+  report (times);
+  return EXIT_DONE;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  Parameters parameters;
+  Files files;
+  bool help = false;
+  Options options;
+  addEstimationOptions (options, parameters);
+  options.addText (
+      "-lines", "FILE", "write the lines as .obj, .ply or .vtk", files.lines);
+  options.addText ("-stats",
+                   "FILE.json",
+                   "write counts, sizes and lengths of lines, and times",
+                   files.statistics);
+  options.addText ("-curvatures",
+                   "FILE.pcd",
+                   "write principal curvatures and directions",
+                   files.curvatures);
+  options.addFlag ("-h", "show this and do nothing else", help);
+  // Whatever else is there: who asks for help may not know how to write the rest.
+  if (std::find (argv + 1, argv + argc, std::string ("-h")) != argv + argc) {
+    std::cout
+        << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
+           "Extracts crest lines, that is ridges and valleys, from a point cloud.\n"
+           "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file; its\n"
+           "normals are used, else those of its faces, else they are estimated.\n"
+           "OUTPUT.pcd gets each point with its normal, its largest principal\n"
+           "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
+           "a ridge or valley line by growth, 5 invalid point.\n\n"
+        << options.usage();
+    return EXIT_DONE;
+  }
+
+  std::string error;
+  std::vector<std::string> arguments;
+  if (!options.parse (argc, argv, arguments, error))
+    return fail (EXIT_USAGE, error);
+  if (arguments.size() != 2)
+    return fail (EXIT_USAGE,
+                 "expected two files, INPUT and OUTPUT.pcd, found " +
+                     std::to_string (arguments.size()));
+  files.input = arguments[0];
+  files.output = arguments[1];
+  error = explainInvalid (options, parameters);
+  if (!error.empty())
+    return fail (EXIT_USAGE, error);
+  const int code = checkOutputs (files, error);
+  return code == EXIT_DONE ? run (files, parameters) : fail (code, error);
+}

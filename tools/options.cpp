@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <pcl_crest/io/parse_number.h>
+
+#include <algorithm>
+#include <sstream>
+#include <type_traits>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief More threads than any machine has; so many more that making them fails, which
+ * OpenMP ends the program for, are a typing error.
+ */
+constexpr unsigned MOST_THREADS = 1024;
+
+template <typename T>
+std::string
+takeNumber (const std::string& value, T& number)
+{
+  if (parseNumber (value, number))
+    return {};
+  if (std::is_floating_point_v<T>)
+    return "a number";
+  return std::is_signed_v<T> ? "a whole number" : "a whole number that is not negative";
+}
+
+template <typename T>
+std::string
+withDefault (const std::string& help, const T& value)
+{
+  std::ostringstream text;
+  text << help << " (default " << value << ")";
+  return text.str();
+}
+
+/** \brief Adds the option for both types and, to win over it, the one for each. */
+template <typename T>
+void
+addPerType (Options& options,
+            const std::string& name,
+            const std::string& help,
+            PerType<T>& numbers)
+{
+  options.add (name,
+               "N",
+               withDefault (help, numbers.ridge),
+               [&numbers] (const std::string& value) {
+                 const std::string wanted = takeNumber (value, numbers.ridge);
+                 numbers.valley = numbers.ridge;
+                 return wanted;
+               });
+  options.addNumber (name + "_ridge", name + " of ridges alone", numbers.ridge);
+  options.addNumber (name + "_valley", name + " of valleys alone", numbers.valley);
+}
+
+} // namespace
+
+void
+Options::add (const std::string& name,
+              const std::string& value,
+              const std::string& help,
+              Take take)
+{
+  options_.push_back ({name, value, help, std::move (take), false, {}});
+}
+
+void
+Options::addFlag (const std::string& name, const std::string& help, bool& flag)
+{
+  add (name, "", help, [&flag] (const std::string&) {
+    flag = true;
+    return std::string();
+  });
+}
+
+template <typename T>
+void
+Options::addNumber (const std::string& name, const std::string& help, T& number)
+{
+  add (name, "N", help, [&number] (const std::string& value) {
+    return takeNumber (value, number);
+  });
+}
+template void
+Options::addNumber (const std::string&, const std::string&, int&);
+template void
+Options::addNumber (const std::string&, const std::string&, unsigned&);
+template void
+Options::addNumber (const std::string&, const std::string&, double&);
+
+void
+Options::addText (const std::string& name,
+                  const std::string& value,
+                  const std::string& help,
+                  std::string& text)
+{
+  add (name, value, help, [&text] (const std::string& given) {
+    text = given;
+    return std::string (given.empty() ? "the name of a file" : "");
+  });
+}
+
+bool
+Options::parse (int argc,
+                const char* const* argv,
+                std::vector<std::string>& others,
+                std::string& error)
+{
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.empty() || argument[0] != '-') {
+      others.push_back (argument);
+      continue;
+    }
+    Option* const option = find (argument);
+    if (option == nullptr) {
+      error = "there is no option \"" + argument + "\"";
+      return false;
+    }
+    if (option->given) {
+      error = "the option " + argument + " is given twice";
+      return false;
+    }
+    option->given = true;
+    if (option->value.empty())
+      continue;
+    if (i + 1 == argc || find (argv[i + 1]) != nullptr) {
+      error = "the option " + argument + " needs a value, " + option->value;
+      return false;
+    }
+    option->given_value = argv[++i];
+  }
+  for (const Option& option : options_) {
+    const std::string wanted =
+        option.given ? option.take (option.given_value) : std::string();
+    if (!wanted.empty()) {
+      error = "the option " + option.name + " is \"" + option.given_value +
+              "\", but must be " + wanted;
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+Options::given (const std::string& name) const
+{
+  return std::any_of (options_.begin(), options_.end(), [&name] (const Option& option) {
+    return option.name == name && option.given;
+  });
+}
+
+std::string
+Options::usage() const
+{
+  constexpr std::size_t HELP_COLUMN = 26;
+  std::string text;
+  for (const Option& option : options_) {
+    std::string line = "  " + option.name;
+    if (!option.value.empty())
+      line += " " + option.value;
+    line.resize (std::max (line.size() + 1, HELP_COLUMN), ' ');
+    text += line + option.help + "\n";
+  }
+  return text;
+}
+
+Options::Option*
+Options::find (const std::string& name)
+{
+  for (Option& option : options_)
+    if (option.name == name)
+      return &option;
+  return nullptr;
+}
+
+void
+addEstimationOptions (Options& options, Parameters& parameters)
+{
+  options.addNumber ("-k",
+                     withDefault ("nearest neighbours to choose from", parameters.k),
+                     parameters.k);
+  options.add ("-radius",
+               "N",
+               "search radius in the unit of the file, in place of -k",
+               [&parameters] (const std::string& value) {
+                 std::string wanted = takeNumber (value, parameters.radius);
+                 if (wanted.empty() && !(parameters.radius > 0.0))
+                   wanted = "above 0";
+                 return wanted;
+               });
+  addPerType (options,
+              "-M",
+              "threshold on the maximality of curvature, in 1 / (a tenth\n"
+              "                          of the largest side of the cloud)^2",
+              parameters.maximality);
+  options.addFlag ("-absolute",
+                   "take M in 1 / (the unit of the file)^2",
+                   parameters.absolute_maximality);
+  addPerType (
+      options, "-S", "remove lines of fewer points than this", parameters.min_size);
+  options.addNumber (
+      "-prune",
+      withDefault ("prune branches of up to this many points", parameters.prune),
+      parameters.prune);
+  options.add ("-type",
+               "TYPE",
+               "ridges, valleys or both (default both)",
+               [&parameters] (const std::string& value) {
+                 parameters.wanted = {value != "valleys", value != "ridges"};
+                 const bool known =
+                     value == "ridges" || value == "valleys" || value == "both";
+                 return std::string (known ? "" : "ridges, valleys or both");
+               });
+  options.add ("-threads",
+               "N",
+               withDefault ("threads; 0 takes all processors", parameters.threads),
+               [&parameters] (const std::string& value) {
+                 std::string wanted = takeNumber (value, parameters.threads);
+                 if (wanted.empty() && parameters.threads > MOST_THREADS)
+                   wanted = "at most " + std::to_string (MOST_THREADS);
+                 return wanted;
+               });
+}
+
+std::string
+explainInvalid (const Options& options, const Parameters& parameters)
+{
+  if (options.given ("-k") && options.given ("-radius"))
+    return "the options -k and -radius exclude each other: give one of them";
+  return explainInvalid (parameters);
+}
+
+} // namespace crest
+} // namespace pcl
