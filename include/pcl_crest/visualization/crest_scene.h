@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_crest/crest_lines.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The crest lines of a cloud as one polydata with a colour per line: ridges
+ * blue, valleys red.
+ */
+vtkSmartPointer<vtkPolyData>
+makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
+                  const std::vector<CrestLine>& lines);
+
+/** \brief A cloud as a grey surface with its crest lines, on white: what a window or a
+ * picture shows. Its renderer can be put into any vtkRenderWindow, or be given to
+ * PCLVisualizer, and may outlive the scene.
+ */
+class CrestScene {
+public:
+  CrestScene();
+  ~CrestScene();
+  CrestScene (const CrestScene&) = delete;
+  CrestScene&
+  operator= (const CrestScene&) = delete;
+
+  vtkRenderer*
+  getRenderer () const
+  {
+    return renderer_;
+  }
+
+  /** \brief Shows another cloud, without lines. */
+  void
+  setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud);
+
+  /** \brief Shows other lines, at the next rendering.
+   * \param[in] lines indices into the cloud shown
+   */
+  void
+  setLines (const std::vector<CrestLine>& lines);
+
+private:
+  /** \brief Brings the lines nearer to the camera by a little more than the surface's
+   * uncertainty, and leaves them where they are in the picture. Lines on the far side
+   * stay hidden, as that is farther away.
+   */
+  void
+  liftLines ();
+
+  pcl::PointCloud<pcl::PointNormal>::ConstPtr cloud_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkActor> surface_;
+  vtkNew<vtkActor> lines_;
+  double lift_ = 0.0;
+  unsigned long observer_ = 0;
+};
+
+} // namespace crest
+} // namespace pcl

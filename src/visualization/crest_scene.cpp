@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/visualization/crest_scene.h>
+#include <pcl_crest/visualization/surface_splats.h>
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+constexpr double LINE_WIDTH = 2.5;
+constexpr double GREY = 0.85;
+constexpr unsigned char BLUE[] = {10, 40, 220};
+constexpr unsigned char RED[] = {220, 15, 15};
+
+/** One light from the upper left, as on maps and in drawings, so that relief shows when
+ * it is looked at from straight above; and one from the camera, so that no side is
+ * dark.
+ */
+void
+addLights (vtkRenderer& renderer)
+{
+  renderer.AutomaticLightCreationOff();
+  vtkNew<vtkLight> key;
+  key->SetLightTypeToCameraLight();
+  key->SetPosition (-0.8, 1.0, 1.6);
+  key->SetIntensity (0.45);
+  renderer.AddLight (key);
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity (0.6);
+  renderer.AddLight (fill);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData>
+makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
+                  const std::vector<CrestLine>& lines)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents (3);
+  for (const CrestLine& line : lines)
+    for (const std::vector<index_t>& polyline : line.polylines) {
+      cells->InsertNextCell (static_cast<int> (polyline.size()));
+      for (const index_t index : polyline)
+        cells->InsertCellPoint (points->InsertNextPoint (cloud[index].data));
+      colors->InsertNextTypedTuple (line.type == CrestType::RIDGE ? BLUE : RED);
+    }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints (points);
+  data->SetLines (cells);
+  data->GetCellData()->SetScalars (colors);
+  return data;
+}
+
+CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
+{
+  renderer_->SetBackground (1.0, 1.0, 1.0);
+  addLights (*renderer_);
+  for (vtkActor* actor : {surface_.Get(), lines_.Get()}) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData (vtkNew<vtkPolyData>());
+    actor->SetMapper (mapper);
+    renderer_->AddActor (actor);
+  }
+  surface_->GetProperty()->SetColor (GREY, GREY, GREY);
+  lines_->GetProperty()->SetLineWidth (LINE_WIDTH);
+  lines_->GetProperty()->LightingOff();
+  observer_ =
+      renderer_->AddObserver (vtkCommand::StartEvent, this, &CrestScene::liftLines);
+}
+
+CrestScene::~CrestScene() { renderer_->RemoveObserver (observer_); }
+
+void
+CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
+{
+  cloud_ = cloud;
+  const SurfaceSplats splats = makeSurfaceSplats (*cloud);
+  lift_ = splats.radius;
+  vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())
+      ->SetInputData (splats.polygons);
+  setLines ({});
+}
+
+void
+CrestScene::setLines (const std::vector<CrestLine>& lines)
+{
+  vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())
+      ->SetInputData (makeLinePolyData (*cloud_, lines));
+}
+
+void
+CrestScene::liftLines()
+{
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> nearer;
+  if (camera->GetParallelProjection()) {
+    for (int axis = 0; axis < 3; ++axis)
+      nearer->SetElement (axis, 3, -lift_ * camera->GetDirectionOfProjection()[axis]);
+  }
+  else {
+    // Scaling about the eye moves points along their rays only. From very near, the
+    // lift is limited to a tenth of the way.
+    const double scale = 1.0 - std::min (0.1, lift_ / camera->GetDistance());
+    for (int axis = 0; axis < 3; ++axis) {
+      nearer->SetElement (axis, axis, scale);
+      nearer->SetElement (axis, 3, (1.0 - scale) * camera->GetPosition()[axis]);
+    }
+  }
+  lines_->SetUserMatrix (nearer);
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What pictures show, pixel by pixel. Needs an X display.
+#include <pcl_crest/visualization/crest_scene.h>
+#include <pcl_crest/visualization/picture.h>
+
+#include <gtest/gtest.h>
+
+#include <vtkRenderWindow.h>
+
+#include "support/picture.h"
+
+using namespace oracle;
+using namespace pcl::crest;
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+namespace {
+
+std::string
+render (const CrestScene& scene, const View& view)
+{
+  setCamera (view, *scene.getRenderer()->GetActiveCamera());
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering (1);
+  window->SetSize (view.window_size.x(), view.window_size.y());
+  window->AddRenderer (scene.getRenderer());
+  std::string png = renderPicture (*window);
+  window->RemoveRenderer (scene.getRenderer());
+  return png;
+}
+
+} // namespace
+
+TEST (CrestScene, ShowsTheSurfaceGreyAndWithoutHoles)
+{
+  const Cloud::Ptr cloud = waves();
+  const View view = fitView (*cloud, {SIZE, SIZE});
+  CrestScene scene;
+  scene.setCloud (cloud);
+  const Picture picture (render (scene, view));
+  ASSERT_EQ (picture.width(), SIZE);
+  ASSERT_EQ (picture.height(), SIZE);
+  for (const int x : {0, SIZE - 1})
+    for (const int y : {0, SIZE - 1})
+      EXPECT_TRUE (isWhite (picture (x, y)));
+  const Eigen::Vector2i low = project (view, {-0.88, -0.88, -0.1}).cast<int>();
+  const Eigen::Vector2i high = project (view, {0.88, 0.88, -0.1}).cast<int>();
+  int shades[256] = {};
+  for (int y = low.y(); y <= high.y(); ++y)
+    for (int x = low.x(); x <= high.x(); ++x) {
+      ASSERT_TRUE (isGrey (picture (x, y))) << x << " " << y;
+      ++shades[picture (x, y)[0]];
+    }
+  EXPECT_GT (256 - std::count (shades, shades + 256, 0), 30) << "it should be shaded";
+}
+
+TEST (CrestScene, ShowsLinesInTheirColorsUntilOthersAreSet)
+{
+  const Cloud::Ptr cloud = waves();
+  CrestLine ridge, valley;
+  ridge.type = CrestType::RIDGE;
+  valley.type = CrestType::VALLEY;
+  // Rows of the grid: the ridge below the middle, the valley above it.
+  ridge.polylines = {{}, {}};
+  valley.polylines = {{}};
+  for (index_t column = 10; column < 140; ++column) {
+    ridge.polylines[column < 75 ? 0 : 1].push_back (50 * 150 + column);
+    valley.polylines[0].push_back (100 * 150 + column);
+  }
+  const View view = fitView (*cloud, {SIZE, SIZE});
+  CrestScene scene;
+  scene.setCloud (cloud);
+  scene.setLines ({ridge, valley});
+  const Picture picture (render (scene, view));
+  const auto place = [&] (index_t index) {
+    return project (view, (*cloud)[index].getVector3fMap().cast<double>());
+  };
+  for (const auto& polyline : ridge.polylines)
+    for (const index_t index : polyline)
+      EXPECT_TRUE (isNear (picture, place (index), 1, isBlue)) << index;
+  for (const index_t index : valley.polylines[0])
+    EXPECT_TRUE (isNear (picture, place (index), 1, isRed)) << index;
+  for (int y = 0; y < SIZE; ++y)
+    for (int x = 0; x < SIZE; ++x) {
+      EXPECT_FALSE (isBlue (picture (x, y)) && y > SIZE / 2);
+      EXPECT_FALSE (isRed (picture (x, y)) && y < SIZE / 2);
+    }
+
+  scene.setLines ({});
+  const Picture without (render (scene, view));
+  EXPECT_EQ (count (without, isBlue) + count (without, isRed), 0);
+}
+
+TEST (CrestScene, HidesLinesOnTheFarSide)
+{
+  // Rings of points on a sphere: ring r at the polar angle pi r / RINGS from +z.
+  constexpr int RINGS = 100, PER_RING = 200;
+  Cloud::Ptr sphere (new Cloud);
+  CrestLine near_line, far_line;
+  near_line.type = CrestType::VALLEY;
+  far_line.type = CrestType::RIDGE;
+  near_line.polylines = far_line.polylines = {{}};
+  for (int ring = 1; ring < RINGS; ++ring)
+    for (int i = 0; i < PER_RING; ++i) {
+      const double polar = M_PI * ring / RINGS, turn = 2.0 * M_PI * i / PER_RING;
+      const Eigen::Vector3f normal (
+          static_cast<float> (std::sin (polar) * std::cos (turn)),
+          static_cast<float> (std::sin (polar) * std::sin (turn)),
+          static_cast<float> (std::cos (polar)));
+      pcl::PointNormal point;
+      point.getVector3fMap() = point.getNormalVector3fMap() = normal;
+      if (ring == 20 || ring == 80)
+        (ring == 20 ? near_line : far_line)
+            .polylines[0]
+            .push_back (static_cast<index_t> (sphere->size()));
+      sphere->push_back (point);
+    }
+  CrestScene scene;
+  scene.setCloud (sphere);
+  scene.setLines ({near_line, far_line});
+  View view = fitView (*sphere, {SIZE, SIZE});
+  const auto shown = [&] (const CrestLine& line,
+                          const Picture& picture,
+                          PixelTest& color) {
+    int drawn = 0;
+    for (const index_t index : line.polylines[0])
+      drawn += isNear (picture,
+                       project (view, (*sphere)[index].getVector3fMap().cast<double>()),
+                       1,
+                       color);
+    return drawn;
+  };
+  const Picture front (render (scene, view));
+  EXPECT_EQ (shown (near_line, front, isRed), PER_RING);
+  EXPECT_EQ (count (front, isBlue), 0);
+
+  view.position = 2.0 * view.focal_point - view.position;
+  const Picture back (render (scene, view));
+  EXPECT_EQ (shown (far_line, back, isBlue), PER_RING);
+  EXPECT_EQ (count (back, isRed), 0);
+
+  scene.getRenderer()->GetActiveCamera()->ParallelProjectionOn();
+  const Picture parallel (render (scene, view));
+  EXPECT_GT (count (parallel, isBlue), PER_RING);
+  EXPECT_EQ (count (parallel, isRed), 0);
+}
