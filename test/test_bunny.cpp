@@ -29,7 +29,7 @@ protected:
     InputCloud input;
     std::string error;
     ASSERT_TRUE (readCloud (PCL_CREST_BUNNY, 24, 0, input, error))
-        << error << " (scripts/fetch_bunny takes it out of a Debian package)";
+        << error << " (scripts/fetch_meshes takes it out of a Debian package)";
     ASSERT_EQ (input.normals, NormalSource::FACES);
     cloud_ = input.points;
   }
