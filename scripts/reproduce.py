@@ -21,10 +21,12 @@ BLUE, RED = "#1f3fd0", "#d01f1f"
 Model = namedtuple("Model", "name title file thresholds camera paper")
 # The thresholds of the paper's figure 7; Igea and the dinosaur have the defaults.
 BUNNY = ["-M_ridge", "2", "-S_ridge", "20", "-M_valley", "1", "-S_valley", "15"]
+# The armadillo turns its back to the default view.
+FROM_BEHIND = ["-cam", "1,2000/0,21,0/0,21,-330/0,1,0/0.5236/560,560/0,0"]
 PACKAGE = ROOT / "build" / "data"
 MODELS = [
-    Model("bunny", "Stanford bunny, one scan merged (`bunny00.off`)", PACKAGE / "bunny00.off", BUNNY, [], None),
-    Model("armadillo", "armadillo, in place of Igea (`armadillo.off`)", PACKAGE / "armadillo.off", [], [], None),
+    Model("bunny", "Stanford bunny, closed (`bunny00.off`)", PACKAGE / "bunny00.off", BUNNY, [], None),
+    Model("armadillo", "armadillo, in place of Igea (`armadillo.off`)", PACKAGE / "armadillo.off", [], FROM_BEHIND, None),
     Model("diplodocus", "diplodocus, in place of the dinosaur (`diplodocus.off`)", PACKAGE / "diplodocus.off", [], [], None),
 ]
 OWN_FOLDER = os.environ.get("PCL_CREST_DATA")
@@ -51,7 +53,7 @@ def extract(model, thresholds, scratch):
 
 
 def picture(model, thresholds, file, size):
-    run("xvfb-run", "-a", "-s", "-screen 0 1280x1280x24", BIN / "pcl_crest_viewer",
+    run("xvfb-run", "-a", "-s", "-screen 0 1280x1280x24 -noreset", BIN / "pcl_crest_viewer",
         model.file, *thresholds, *model.camera, "-size", f"{size}x{size}", "-screenshot", file)
     run("mogrify", "-colors", 128, "-define", "png:exclude-chunks=date,time", file)
 

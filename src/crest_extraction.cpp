@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/branch_pruning.h>
 #include <pcl_crest/crest_extraction.h>
 
 #include <iterator>

@@ -1,200 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/crest_lines.h>
 
+#include "forest.h"
+
 #include <algorithm>
-#include <iterator>
 #include <optional>
-#include <queue>
-#include <tuple>
 #include <unordered_map>
 
 namespace pcl {
 namespace crest {
 
 namespace {
-
-double
-distance (const OrientedPoints& points, index_t a, index_t b)
-{
-  return (points.positions[b] - points.positions[a]).cast<double>().norm();
-}
-
-double
-polylineLength (const OrientedPoints& points, const std::vector<index_t>& polyline)
-{
-  double sum = 0.0;
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    sum += distance (points, polyline[i - 1], polyline[i]);
-  return sum;
-}
-
-/** \brief A forest whose edges can be walked along and removed. Points are numbered
- * locally, in the order of their packed indices.
- */
-class Forest {
-public:
-  Forest (const OrientedPoints& points, const std::vector<CrestEdge>& edges)
-  : points_ (points)
-  {
-    vertices_.reserve (2 * edges.size());
-    for (const CrestEdge& edge : edges) {
-      vertices_.push_back (edge.a);
-      vertices_.push_back (edge.b);
-    }
-    std::sort (vertices_.begin(), vertices_.end());
-    vertices_.erase (std::unique (vertices_.begin(), vertices_.end()), vertices_.end());
-    adjacency_.resize (vertices_.size());
-    for (const CrestEdge& edge : edges) {
-      const int a = local (edge.a);
-      const int b = local (edge.b);
-      adjacency_[a].push_back (b);
-      adjacency_[b].push_back (a);
-    }
-    for (std::vector<int>& neighbors : adjacency_)
-      std::sort (neighbors.begin(), neighbors.end());
-  }
-
-  int
-  size () const
-  {
-    return static_cast<int> (vertices_.size());
-  }
-  index_t
-  packed (int v) const
-  {
-    return vertices_[v];
-  }
-  const std::vector<int>&
-  neighbors (int v) const
-  {
-    return adjacency_[v];
-  }
-  std::size_t
-  degree (int v) const
-  {
-    return adjacency_[v].size();
-  }
-  bool
-  isJunction (int v) const
-  {
-    return degree (v) > 2;
-  }
-  void
-  removeEdge (int v, int w)
-  {
-    detach (v, w);
-    detach (w, v);
-  }
-
-  /** \brief Walks from v over w to the next point that does not simply go on, or until
-   * the path has `limit` points.
-   */
-  std::vector<int>
-  walk (int v, int w, std::size_t limit) const
-  {
-    std::vector<int> path{v, w};
-    while (degree (path.back()) == 2 && path.size() < limit) {
-      const std::vector<int>& next = adjacency_[path.back()];
-      path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
-    }
-    return path;
-  }
-
-  double
-  length (const std::vector<int>& path) const
-  {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-      sum += distance (points_, packed (path[i - 1]), packed (path[i]));
-    return sum;
-  }
-
-  /** \brief Of the edges that the forest was made of those not removed: a removed
-   * branch leaves its points without edges.
-   */
-  std::vector<CrestEdge>
-  remaining (const std::vector<CrestEdge>& edges) const
-  {
-    std::vector<CrestEdge> kept;
-    std::copy_if (
-        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
-          return degree (local (e.a)) > 0 && degree (local (e.b)) > 0;
-        });
-    return kept;
-  }
-
-private:
-  int
-  local (index_t packed) const
-  {
-    return static_cast<int> (
-        std::lower_bound (vertices_.begin(), vertices_.end(), packed) -
-        vertices_.begin());
-  }
-
-  void
-  detach (int v, int w)
-  {
-    std::vector<int>& neighbors = adjacency_[v];
-    neighbors.erase (std::find (neighbors.begin(), neighbors.end(), w));
-  }
-
-  const OrientedPoints& points_;
-  std::vector<index_t> vertices_;
-  std::vector<std::vector<int>> adjacency_;
-};
-
-/** \brief A branch as it was when it was measured; pruning elsewhere may have made it
- * longer since, never shorter.
- */
-struct Branch {
-  std::size_t size;
-  double length;
-  int end;
-
-  bool
-  operator> (const Branch& o) const
-  {
-    return std::tie (size, length, end) > std::tie (o.size, o.length, o.end);
-  }
-};
-
-/** \brief Prunes the branches of up to `largest` points, shortest first. */
-void
-prune (Forest& forest, std::size_t largest)
-{
-  // The path of a branch ends with its junction, and has one point more if too long.
-  const auto pathOf = [&] (int end) {
-    return forest.walk (end, forest.neighbors (end)[0], largest + 2);
-  };
-  const auto isShortBranch = [&] (const std::vector<int>& path) {
-    return forest.isJunction (path.back()) && path.size() <= largest + 1;
-  };
-  std::priority_queue<Branch, std::vector<Branch>, std::greater<>> branches;
-  const auto push = [&] (int end, const std::vector<int>& path) {
-    branches.push ({path.size() - 1, forest.length (path), end});
-  };
-
-  for (int v = 0; v < forest.size(); ++v)
-    if (forest.degree (v) == 1) {
-      const std::vector<int> path = pathOf (v);
-      if (isShortBranch (path))
-        push (v, path);
-    }
-  while (!branches.empty()) {
-    const Branch shortest = branches.top();
-    branches.pop();
-    const std::vector<int> path = pathOf (shortest.end);
-    if (!isShortBranch (path))
-      continue;
-    if (path.size() - 1 > shortest.size) {
-      push (shortest.end, path);
-      continue;
-    }
-    for (std::size_t i = 1; i < path.size(); ++i)
-      forest.removeEdge (path[i - 1], path[i]);
-  }
-}
 
 /** \brief The points that hang together with `start`, which it marks as seen. */
 std::vector<int>
@@ -283,17 +99,6 @@ closeLoop (const SurfaceGraph& graph,
 
 } // namespace
 
-std::vector<CrestEdge>
-pruneBranches (const OrientedPoints& points,
-               const std::vector<CrestEdge>& forest,
-               std::size_t largest)
-{
-  Forest trees (points, forest);
-  prune (trees, 1);
-  prune (trees, largest);
-  return trees.remaining (forest);
-}
-
 std::vector<CrestLine>
 traceLines (const OrientedPoints& points,
             const SurfaceGraph& graph,
@@ -302,7 +107,7 @@ traceLines (const OrientedPoints& points,
             CrestType type,
             std::size_t largest_branch)
 {
-  const Forest trees (points, forest);
+  const Forest trees (forest);
   std::vector<CrestLine> lines;
   std::vector<bool> seen (static_cast<std::size_t> (trees.size()), false);
   for (int v = 0; v < trees.size(); ++v) {
@@ -312,11 +117,8 @@ traceLines (const OrientedPoints& points,
     CrestLine line;
     line.type = type;
     line.size = tree.size();
-    for (const std::vector<int>& branch : branchesOf (trees, tree)) {
-      std::vector<index_t>& polyline = line.polylines.emplace_back();
-      for (const int w : branch)
-        polyline.push_back (trees.packed (w));
-    }
+    for (const std::vector<int>& branch : branchesOf (trees, tree))
+      line.polylines.push_back (trees.packed (branch));
     closeLoop (graph, membership, largest_branch, line);
     for (const std::vector<index_t>& polyline : line.polylines)
       line.length += polylineLength (points, polyline);
