@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "support/crest_truth.h"
+#include "support/flipped_labels.h"
 #include "support/surface_cases.h"
 
 #include <algorithm>
@@ -81,14 +82,8 @@ TEST_P (OnSurface, FlippedNormalsSwapRidgesAndValleys)
   const Extraction run = extract (cloud, parameters);
   std::swap (parameters.maximality.ridge, parameters.maximality.valley);
   Extraction swapped = extract (flipped, parameters);
-  constexpr std::uint32_t SWAP[] = {LABEL_NONE,
-                                    LABEL_VALLEY,
-                                    LABEL_RIDGE,
-                                    LABEL_VALLEY_GROWN,
-                                    LABEL_RIDGE_GROWN,
-                                    LABEL_INVALID};
   for (pcl::Label& label : swapped.labels)
-    label.label = SWAP[label.label];
+    label.label = oracle::flipped (label.label);
   EXPECT_EQ (countDifferent (run.labels, swapped.labels), 0U);
   EXPECT_EQ (run.lines.size(), swapped.lines.size());
 }

@@ -260,6 +260,29 @@ TEST_F (IoNormals, OpenSurfacesLookUpOrToTheViewpoint)
   EXPECT_NE (std::string::npos, read.notes.at (0).find ("toward the viewpoint"));
 }
 
+TEST_F (IoNormals, OrganizedCloudsLookToTheirSensor)
+{
+  // The image of a folded wall: turned over as a whole it would be as consistent.
+  pcl::PointCloud<pcl::PointXYZ> image (60, 40);
+  for (std::uint32_t row = 0; row < image.height; ++row)
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      const float x = (static_cast<float> (column) - 29.5F) / 30.0F;
+      const float y = (static_cast<float> (row) - 19.5F) / 30.0F;
+      image.at (column,
+                row) = {x, y, 2.0F + std::abs (std::fmod (x + 2.0F, 0.5F) - 0.25F)};
+    }
+  image.at (7, 7).x = std::numeric_limits<float>::quiet_NaN();
+  image.is_dense = false;
+  pcl::PCDWriter().writeBinary (directory_.file ("image.pcd"), image);
+  InputCloud read;
+  std::string error;
+  ASSERT_TRUE (readCloud (directory_.file ("image.pcd"), 16, 2, read, error)) << error;
+  EXPECT_EQ (60U, read.points->width);
+  for (const pcl::PointNormal& point : *read.points)
+    EXPECT_FALSE (point.getNormalVector3fMap().dot (point.getVector3fMap()) > 0.0F);
+  EXPECT_NE (std::string::npos, read.notes.back().find ("toward the viewpoint"));
+}
+
 TEST_F (IoNormals, CoincidentAndInvalidPointsDoNoHarm)
 {
   Cloud cloud = sphere (1.0, 0.08, {0, 0, 0});

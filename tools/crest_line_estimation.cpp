@@ -10,6 +10,7 @@
 #include <pcl_crest/io/write_statistics.h>
 
 #include "options.h"
+#include "program.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,9 +21,7 @@ using namespace pcl::crest;
 
 namespace {
 
-constexpr int EXIT_DONE = 0;
-constexpr int EXIT_USAGE = 1;
-constexpr int EXIT_FILE = 2;
+constexpr char PROGRAM[] = "pcl_crest_line_estimation";
 
 struct Files {
   std::string input;
@@ -32,19 +31,10 @@ struct Files {
   std::string curvatures;
 };
 
-int
-fail (int code, const std::string& message)
-{
-  std::cerr << "pcl_crest_line_estimation: " << message << "\n";
-  if (code == EXIT_USAGE)
-    std::cerr << "pcl_crest_line_estimation -h tells how to use it\n";
-  return code;
-}
-
 /** \brief Finds out before the computation whether all outputs can be written, and
  * apart from each other. The code to exit with; EXIT_DONE if all is well.
  */
-int
+ExitCode
 checkOutputs (const Files& files, std::string& error)
 {
   struct Output {
@@ -127,7 +117,7 @@ run (const Files& files, const Parameters& parameters)
   std::string error;
   InputCloud cloud;
   if (!readCloud (files.input, parameters.k, parameters.threads, cloud, error))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   report (files, cloud);
 
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
@@ -136,7 +126,7 @@ run (const Files& files, const Parameters& parameters)
   pcl::PointCloud<pcl::Label> labels;
   estimation.compute (labels);
   if (labels.size() != cloud.points->size())
-    return fail (EXIT_USAGE, "the crest lines could not be computed");
+    return fail (PROGRAM, EXIT_USAGE, "the crest lines could not be computed");
   report (estimation.getLines(), labels);
 
   std::vector<StageTime> times = cloud.times;
@@ -152,21 +142,21 @@ run (const Files& files, const Parameters& parameters)
   };
   if (!written (writeLabels (files.output, *cloud.points, labels, curvatures, error),
                 files.output))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   if (!files.lines.empty() &&
       !written (writeLines (files.lines, *cloud.points, estimation.getLines(), error),
                 files.lines))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   if (!files.curvatures.empty() &&
       !written (writeCurvatures (files.curvatures, *cloud.points, curvatures, error),
                 files.curvatures))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   watch.stageDone ("writing");
   if (!files.statistics.empty() &&
       !written (
           writeStatistics (files.statistics, cloud, labels, estimation, times, error),
           files.statistics))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   report (times);
   return EXIT_DONE;
 }
@@ -192,8 +182,7 @@ main (int argc, char** argv)
                    "write principal curvatures and directions",
                    files.curvatures);
   options.addFlag ("-h", "show this and do nothing else", help);
-  // Whatever else is there: who asks for help may not know how to write the rest.
-  if (std::find (argv + 1, argv + argc, std::string ("-h")) != argv + argc) {
+  if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
            "Extracts crest lines, that is ridges and valleys, from a point cloud.\n"
@@ -209,16 +198,17 @@ main (int argc, char** argv)
   std::string error;
   std::vector<std::string> arguments;
   if (!options.parse (argc, argv, arguments, error))
-    return fail (EXIT_USAGE, error);
+    return fail (PROGRAM, EXIT_USAGE, error);
   if (arguments.size() != 2)
-    return fail (EXIT_USAGE,
+    return fail (PROGRAM,
+                 EXIT_USAGE,
                  "expected two files, INPUT and OUTPUT.pcd, found " +
                      std::to_string (arguments.size()));
   files.input = arguments[0];
   files.output = arguments[1];
   error = explainInvalid (options, parameters);
   if (!error.empty())
-    return fail (EXIT_USAGE, error);
-  const int code = checkOutputs (files, error);
-  return code == EXIT_DONE ? run (files, parameters) : fail (code, error);
+    return fail (PROGRAM, EXIT_USAGE, error);
+  const ExitCode code = checkOutputs (files, error);
+  return code == EXIT_DONE ? run (files, parameters) : fail (PROGRAM, code, error);
 }

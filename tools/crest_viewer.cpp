@@ -13,6 +13,7 @@
 #include <pcl/visualization/pcl_visualizer.h>
 
 #include "options.h"
+#include "program.h"
 
 #include <algorithm>
 #include <iostream>
@@ -22,9 +23,7 @@ using namespace pcl::crest;
 
 namespace {
 
-constexpr int EXIT_DONE = 0;
-constexpr int EXIT_USAGE = 1;
-constexpr int EXIT_FILE = 2;
+constexpr char PROGRAM[] = "pcl_crest_viewer";
 
 constexpr int SAMPLES_PER_PIXEL = 8;
 
@@ -35,15 +34,6 @@ struct Request {
   /** else the view is fitted to the cloud */
   std::optional<View> view;
 };
-
-int
-fail (int code, const std::string& message)
-{
-  std::cerr << "pcl_crest_viewer: " << message << "\n";
-  if (code == EXIT_USAGE)
-    std::cerr << "pcl_crest_viewer -h tells how to use it\n";
-  return code;
-}
 
 std::string
 takeSize (const std::string& value, Eigen::Vector2i& size)
@@ -80,7 +70,7 @@ savePicture (const CrestScene& scene, const Request& request)
   window->AddRenderer (scene.getRenderer());
   std::string error;
   if (!replaceFile (request.screenshot, renderPicture (*window), error))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   std::cout << "Wrote " << request.screenshot << "\n";
   return EXIT_DONE;
 }
@@ -107,7 +97,7 @@ run (const Request& request, const Parameters& parameters)
   std::string error;
   InputCloud cloud;
   if (!readCloud (request.input, parameters.k, parameters.threads, cloud, error))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   for (const std::string& note : cloud.notes)
     std::cout << request.input << ": " << note << "\n";
 
@@ -117,11 +107,12 @@ run (const Request& request, const Parameters& parameters)
   pcl::PointCloud<pcl::Label> labels;
   estimation.compute (labels);
   if (labels.size() != cloud.points->size())
-    return fail (EXIT_USAGE, "the crest lines could not be computed");
+    return fail (PROGRAM, EXIT_USAGE, "the crest lines could not be computed");
   if (std::all_of (labels.begin(), labels.end(), [] (const pcl::Label& label) {
         return label.label == LABEL_INVALID;
       }))
-    return fail (EXIT_FILE,
+    return fail (PROGRAM,
+                 EXIT_FILE,
                  request.input + ": there is nothing to show, as no point is finite, "
                                  "has a normal and neighbors enough");
 
@@ -161,7 +152,7 @@ main (int argc, char** argv)
       "side)",
       [&request] (const std::string& value) { return takeView (value, request.view); });
   options.addFlag ("-h", "show this and do nothing else", help);
-  if (std::find (argv + 1, argv + argc, std::string ("-h")) != argv + argc) {
+  if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"
            "Shows a point cloud and its crest lines, ridges blue and valleys red, in\n"
@@ -174,9 +165,10 @@ main (int argc, char** argv)
   std::string error;
   std::vector<std::string> arguments;
   if (!options.parse (argc, argv, arguments, error))
-    return fail (EXIT_USAGE, error);
+    return fail (PROGRAM, EXIT_USAGE, error);
   if (arguments.size() != 1)
-    return fail (EXIT_USAGE,
+    return fail (PROGRAM,
+                 EXIT_USAGE,
                  "expected one file, INPUT, found " +
                      std::to_string (arguments.size()));
   request.input = arguments[0];
@@ -184,14 +176,14 @@ main (int argc, char** argv)
     request.size = request.view->window_size;
   error = explainInvalid (options, parameters);
   if (!error.empty())
-    return fail (EXIT_USAGE, error);
+    return fail (PROGRAM, EXIT_USAGE, error);
   if (!request.screenshot.empty()) {
     if (!hasExtension (request.screenshot, {".png"}, error))
-      return fail (EXIT_USAGE, error);
+      return fail (PROGRAM, EXIT_USAGE, error);
     if (!checkWritable (request.screenshot, error))
-      return fail (EXIT_FILE, error);
+      return fail (PROGRAM, EXIT_FILE, error);
   }
   if (!canRender (error))
-    return fail (EXIT_FILE, error);
+    return fail (PROGRAM, EXIT_FILE, error);
   return run (request, parameters);
 }

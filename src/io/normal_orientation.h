@@ -14,6 +14,9 @@ namespace crest {
 
 /** \brief How the sides of the connected parts of a cloud were decided. */
 struct Orientation {
+  /** each normal by itself toward the viewpoint, the cloud being seen from there alone
+   */
+  bool single_view = false;
   std::size_t outward = 0;
   std::size_t toward_viewpoint = 0;
   std::size_t upward = 0;

@@ -100,8 +100,11 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
 std::string
 describe (const Orientation& orientation, std::size_t k)
 {
-  std::string note = "Normals were estimated from " + std::to_string (k) +
-                     " neighbours and made consistent over each connected part.";
+  std::string note =
+      "Normals were estimated from " + std::to_string (k) + " neighbours";
+  if (orientation.single_view)
+    return note + " and turned toward the viewpoint, as the cloud is organized.";
+  note += " and made consistent over each connected part.";
   const auto add = [&note] (std::size_t parts, const char* side) {
     if (parts != 0)
       note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + side;

@@ -6,6 +6,7 @@
 
 #include "analytic_surface.h"
 
+#include <ostream>
 #include <vector>
 
 namespace oracle {
@@ -28,6 +29,12 @@ struct SurfaceCase {
     return result;
   }
 };
+
+inline std::ostream&
+operator<< (std::ostream& stream, const SurfaceCase& c)
+{
+  return stream << c.surface.name;
+}
 
 inline std::vector<SurfaceCase>
 surfaceCases ()

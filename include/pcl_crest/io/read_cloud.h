@@ -41,7 +41,8 @@ nameOf (NormalSource source);
  * finite counts as one without; single ones are left as they are, and mentioned in the
  * notes.
  *
- * Estimated normals have no side of their own, but ridges and valleys swap with it. It
+ * Estimated normals have no side of their own, but ridges and valleys swap with it. In
+ * an organized PCD file, the image of one sensor, it is that of the viewpoint. Else it
  * is made the same over each connected part (Hoppe et al. 1992): outward where the part
  * is closed; else toward the viewpoint of a PCD file, if most of the part faces it or
  * most faces away; else upward, to +z. The notes tell which.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What all programs of the project have in common.
+#pragma once
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What programs exit with: done, wrong usage, or a file (or display) that could
+ * not be read, written or opened.
+ */
+enum ExitCode { EXIT_DONE = 0, EXIT_USAGE = 1, EXIT_FILE = 2 };
+
+/** \brief Says what is wrong; returns the code to exit with. */
+inline int
+fail (const std::string& program, ExitCode code, const std::string& message)
+{
+  std::cerr << program << ": " << message << "\n";
+  if (code == EXIT_USAGE)
+    std::cerr << program << " -h tells how to use it\n";
+  return code;
+}
+
+/** \brief Whether -h is among the arguments, wherever: who asks for help may not know
+ * how to write the rest.
+ */
+inline bool
+wantsHelp (int argc, const char* const* argv)
+{
+  return std::find (argv + 1, argv + argc, std::string ("-h")) != argv + argc;
+}
+
+} // namespace crest
+} // namespace pcl
