@@ -73,8 +73,7 @@ pruneBranches (const OrientedPoints& points,
                std::size_t largest)
 {
   Forest trees (forest);
-  prune (points, 1, trees);
-  prune (points, largest, trees);
+  prune (points, std::max<std::size_t> (1, largest), trees);
   return trees.remaining (forest);
 }
 

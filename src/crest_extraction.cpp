@@ -2,7 +2,9 @@
 #include <pcl_crest/branch_pruning.h>
 #include <pcl_crest/crest_extraction.h>
 
+#include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace pcl {
 namespace crest {
@@ -38,7 +40,7 @@ extractCrests (const OrientedPoints& points,
     if (!parameters.wanted[type])
       continue;
     const std::vector<Membership> members =
-        growRegions (shape.graph, crests.points, type);
+        growRegions (shape.graph, shape.curvature, crests.points, type);
     watch.stageDone ("region growing");
     const std::vector<CrestEdge> forest = minimumSpanningForest (
         points.size(), crestEdges (points, shape.graph, members));
@@ -64,17 +66,19 @@ labelPoints (const SurfaceShape& shape,
              const PerType<bool>& wanted)
 {
   std::vector<Label> labels (crests.points.size(), LABEL_NONE);
-  for (const CrestLine& line : crests.lines) {
-    const Label grown =
-        line.type == CrestType::RIDGE ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN;
-    for (const std::vector<index_t>& polyline : line.polylines)
-      for (const index_t p : polyline) {
-        const bool own_sign =
-            (shape.curvature[p].k1 > 0.0F) == (line.type == CrestType::RIDGE);
-        if (labels[p] == LABEL_NONE || own_sign)
-          labels[p] = grown;
-      }
-  }
+  std::vector<const CrestLine*> smallest_first;
+  for (const CrestLine& line : crests.lines)
+    smallest_first.push_back (&line);
+  std::sort (smallest_first.begin(),
+             smallest_first.end(),
+             [] (const CrestLine* a, const CrestLine* b) {
+               return std::tie (a->size, a->length) < std::tie (b->size, b->length);
+             });
+  for (const CrestLine* line : smallest_first)
+    for (const std::vector<index_t>& polyline : line->polylines)
+      for (const index_t p : polyline)
+        labels[p] =
+            line->type == CrestType::RIDGE ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const CrestType type = crests.points[i];
     if (!shape.curvature[i].valid)

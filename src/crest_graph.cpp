@@ -2,6 +2,7 @@
 #include <pcl_crest/crest_graph.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -39,6 +40,17 @@ private:
   std::vector<index_t> parent_;
 };
 
+/** \brief Keeps 10 binary digits, so that lengths that are about EQUIDISTANT are most
+ * often the same number, and their order is that of the points.
+ */
+double
+roundedForTies (double x)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp (x, &exponent);
+  return std::ldexp (std::round (std::ldexp (mantissa, 10)), exponent - 10);
+}
+
 EdgeType
 edgeType (Membership a, Membership b)
 {
@@ -51,6 +63,7 @@ edgeType (Membership a, Membership b)
 
 std::vector<Membership>
 growRegions (const SurfaceGraph& graph,
+             const std::vector<PrincipalCurvature>& curvature,
              const std::vector<CrestType>& crest_points,
              CrestType type)
 {
@@ -60,7 +73,7 @@ growRegions (const SurfaceGraph& graph,
       continue;
     membership[i] = Membership::CREST;
     for (const index_t q : graph.star (static_cast<index_t> (i)))
-      if (crest_points[q] == CrestType::NONE)
+      if (crest_points[q] == CrestType::NONE && curvature[q].valid)
         membership[q] = Membership::GROWN;
   }
   return membership;
@@ -77,11 +90,10 @@ crestEdges (const OrientedPoints& points,
       continue;
     for (const index_t b : graph.star (a))
       if (a < b && membership[b] != Membership::OUTSIDE)
-        edges.push_back (
-            {a,
-             b,
-             edgeType (membership[a], membership[b]),
-             (points.positions[b] - points.positions[a]).cast<double>().squaredNorm()});
+        edges.push_back ({a,
+                          b,
+                          edgeType (membership[a], membership[b]),
+                          roundedForTies (points.edge (a, b).squaredNorm())});
   }
   return edges;
 }

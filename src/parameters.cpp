@@ -41,6 +41,9 @@ explainInvalid (const Parameters& p)
     if (p.min_size[type] < 0)
       return complain ("S", p.min_size[type], "not negative");
   }
+  // Far above any machine; OpenMP may end the process where it cannot have its threads.
+  if (p.threads > 1024)
+    return complain ("the number of threads", p.threads, "at most 1024");
   if (p.prune < 0)
     return complain ("the largest branch to prune", p.prune, "not negative");
   if (!p.wanted.ridge && !p.wanted.valley)
