@@ -16,7 +16,7 @@ moveToCrests (const OrientedPoints& points,
   constexpr float FARTHEST_FOOT = 2.0F;
   // What is farther from the surface than noise explains is a sharp edge that a coarse
   // fit has rounded off: it stays where it is.
-  constexpr float NOISE_LIMIT = 3.0F;
+  constexpr float NOISE_LIMIT = 4.0F;
   constexpr float LEAST_NOISE = 0.01F;
 
   OrientedPoints moved = points;

@@ -34,24 +34,25 @@ constexpr double WINDOW = 2.5;
 /** \brief Standard errors of the profile's slope and curvature against the standard
  * error of k1. Neighbouring fits share most of their nodes, so that the ratio cannot be
  * had from the profile's own fit; these make both z have unit variance on noisy
- * cylinders (powers of the number of nodes fitted to levels 0 to 2).
+ * cylinders: powers of the number of nodes through what was measured there on levels 1
+ * and 2, for c1 1.5, 1.7, 1.7 and for c2 3.4, 3.1, 2.5 with 28, 44 and 70 nodes.
  */
 double
 slopeError (int nodes)
 {
-  return std::pow (nodes / 28.0, 0.14);
+  return 1.55 * std::pow (nodes / 28.0, 0.1);
 }
 double
 peakError (int nodes)
 {
-  return 2.2 * std::pow (28.0 / nodes, 0.46);
+  return 3.45 * std::pow (28.0 / nodes, 0.35);
 }
 
 /** A profile is significantly not constant from this z on, with two degrees of freedom:
  * by chance in 3e-4 of the samples, each scale. */
 constexpr double RESOLVING_Z = 4.0;
 /** k1 itself has to be certain, or its direction is not. */
-constexpr double CURVATURE_Z = 5.0;
+constexpr double CURVATURE_Z = 6.0;
 /** Least change of k1 over the window, relative to it: below, the cubic's own error is
  * larger than any noise. */
 constexpr double LEAST_CHANGE = 0.01;
