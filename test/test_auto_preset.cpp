@@ -19,6 +19,16 @@
 using namespace pcl::crest;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
+namespace oracle {
+
+static std::ostream&
+operator<< (std::ostream& stream, const AnalyticSurface& surface)
+{
+  return stream << surface.name;
+}
+
+} // namespace oracle
+
 namespace {
 
 struct Extraction {

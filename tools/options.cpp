@@ -205,8 +205,7 @@ addEstimationOptions (Options& options, Parameters& parameters)
                      parameters.confidence);
   options.add ("-positions",
                "WHERE",
-               "auto: lines run along the crest, or from sample to sample\n"
-               "                          of samples (default crest)",
+               "auto: where lines run, crest or samples (default crest)",
                [&parameters] (const std::string& value) {
                  parameters.positions =
                      value == "samples" ? Positions::SAMPLES : Positions::CREST;
