@@ -14,6 +14,8 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/pcl_crestConfig.cmake"
         DESTINATION ${config_dir})
 install(EXPORT pcl_crest_targets NAMESPACE pcl_crest:: DESTINATION ${config_dir})
 
+# Relative to the .pc file, so that `cmake --install --prefix` may still choose.
+file(RELATIVE_PATH prefix_from_pc "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
 configure_file(cmake/pcl_crest.pc.in pcl_crest.pc @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/pcl_crest.pc"
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -3,6 +3,7 @@
 
 #include "forest.h"
 
+#include <algorithm>
 #include <functional>
 #include <queue>
 #include <tuple>
@@ -84,8 +85,8 @@ pruneBranches (const OrientedPoints& points,
   const auto count = [] (const std::vector<int>& path) {
     return static_cast<double> (path.size() - 1);
   };
-  prune (points, 1.0, 1, count, trees);
-  prune (points, static_cast<double> (largest), largest, count, trees);
+  const std::size_t most = std::max<std::size_t> (1, largest);
+  prune (points, static_cast<double> (most), most, count, trees);
   return trees.remaining (forest);
 }
 

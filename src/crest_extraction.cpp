@@ -6,7 +6,9 @@
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
 
+#include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace pcl {
 namespace crest {
@@ -22,7 +24,8 @@ linesOfPaper (const OrientedPoints& points,
               const Parameters& parameters,
               Stopwatch& watch)
 {
-  const std::vector<Membership> members = growRegions (shape.graph, crest_points, type);
+  const std::vector<Membership> members =
+      growRegions (shape.graph, shape.curvature, crest_points, type);
   watch.stageDone ("region growing");
   const std::vector<CrestEdge> forest =
       minimumSpanningForest (points.size(), crestEdges (points, shape.graph, members));
@@ -61,7 +64,7 @@ significantLinesOf (const OrientedPoints& points,
   constexpr float LONGEST_CUT_LOOP = 6.0F;
 
   std::vector<Membership> members =
-      growRegions (shape.graph, evidence.crest_points, type);
+      growRegions (shape.graph, shape.curvature, evidence.crest_points, type);
   withdrawGrowth (shape.graph, shape.profiles, type, members);
   watch.stageDone ("region growing");
   const std::vector<CrestEdge> edges = admissibleEdges (
@@ -154,17 +157,19 @@ labelPoints (const SurfaceShape& shape,
              const PerType<bool>& wanted)
 {
   std::vector<Label> labels (crests.points.size(), LABEL_NONE);
-  for (const CrestLine& line : crests.lines) {
-    const Label grown =
-        line.type == CrestType::RIDGE ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN;
-    for (const std::vector<index_t>& polyline : line.polylines)
-      for (const index_t p : polyline) {
-        const bool own_sign =
-            (shape.curvature[p].k1 > 0.0F) == (line.type == CrestType::RIDGE);
-        if (labels[p] == LABEL_NONE || own_sign)
-          labels[p] = grown;
-      }
-  }
+  std::vector<const CrestLine*> smallest_first;
+  for (const CrestLine& line : crests.lines)
+    smallest_first.push_back (&line);
+  std::sort (smallest_first.begin(),
+             smallest_first.end(),
+             [] (const CrestLine* a, const CrestLine* b) {
+               return std::tie (a->size, a->length) < std::tie (b->size, b->length);
+             });
+  for (const CrestLine* line : smallest_first)
+    for (const std::vector<index_t>& polyline : line->polylines)
+      for (const index_t p : polyline)
+        labels[p] =
+            line->type == CrestType::RIDGE ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const CrestType type = crests.points[i];
     if (!shape.curvature[i].valid)

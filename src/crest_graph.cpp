@@ -40,6 +40,17 @@ private:
   std::vector<index_t> parent_;
 };
 
+/** \brief Keeps 10 binary digits, so that lengths that are about EQUIDISTANT are most
+ * often the same number, and their order is that of the points.
+ */
+double
+roundedForTies (double x)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp (x, &exponent);
+  return std::ldexp (std::round (std::ldexp (mantissa, 10)), exponent - 10);
+}
+
 EdgeType
 edgeType (Membership a, Membership b)
 {
@@ -52,6 +63,7 @@ edgeType (Membership a, Membership b)
 
 std::vector<Membership>
 growRegions (const SurfaceGraph& graph,
+             const std::vector<PrincipalCurvature>& curvature,
              const std::vector<CrestType>& crest_points,
              CrestType type)
 {
@@ -61,7 +73,7 @@ growRegions (const SurfaceGraph& graph,
       continue;
     membership[i] = Membership::CREST;
     for (const index_t q : graph.star (static_cast<index_t> (i)))
-      if (crest_points[q] == CrestType::NONE)
+      if (crest_points[q] == CrestType::NONE && curvature[q].valid)
         membership[q] = Membership::GROWN;
   }
   return membership;
@@ -78,11 +90,10 @@ crestEdges (const OrientedPoints& points,
       continue;
     for (const index_t b : graph.star (a))
       if (a < b && membership[b] != Membership::OUTSIDE)
-        edges.push_back (
-            {a,
-             b,
-             edgeType (membership[a], membership[b]),
-             (points.positions[b] - points.positions[a]).cast<double>().squaredNorm()});
+        edges.push_back ({a,
+                          b,
+                          edgeType (membership[a], membership[b]),
+                          roundedForTies (points.edge (a, b).squaredNorm())});
   }
   return edges;
 }
@@ -120,8 +131,7 @@ admissibleEdges (const OrientedPoints& points,
   constexpr double CLEAR_RUNG_COSINE = 0.95;
 
   const auto inadmissible = [&] (const CrestEdge& edge) {
-    const Eigen::Vector3d e =
-        (points.positions[edge.b] - points.positions[edge.a]).cast<double>();
+    const Eigen::Vector3d e = points.edge (edge.a, edge.b);
     const double length = e.norm();
     const double spacing = 0.5 * (graph.spacing[edge.a] + graph.spacing[edge.b]);
     if (length > LONGEST * spacing)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/impl/crest_line_estimation.hpp>
 
-PCL_INSTANTIATE_CrestLineEstimation (pcl::PointNormal, pcl::Label)
-    PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZINormal, pcl::Label)
-        PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZRGBNormal, pcl::Label)
-            PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZLNormal, pcl::Label)
-                PCL_INSTANTIATE_CrestLineEstimation (pcl::PointSurfel, pcl::Label)
+PCL_INSTANTIATE_CrestLineEstimation (pcl::PointNormal, pcl::Label);
+PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZINormal, pcl::Label);
+PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZRGBNormal, pcl::Label);
+PCL_INSTANTIATE_CrestLineEstimation (pcl::PointXYZLNormal, pcl::Label);
+PCL_INSTANTIATE_CrestLineEstimation (pcl::PointSurfel, pcl::Label);

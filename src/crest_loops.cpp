@@ -63,9 +63,7 @@ private:
   double
   length (int v, int w) const
   {
-    return (points_.positions[graph_.packed (v)] - points_.positions[graph_.packed (w)])
-        .cast<double>()
-        .norm();
+    return points_.edge (graph_.packed (v), graph_.packed (w)).norm();
   }
 
   const OrientedPoints& points_;

@@ -22,24 +22,25 @@ neighborsAcross (const OrientedPoints& points,
                  const Star& star,
                  const Eigen::Vector3f& direction)
 {
-  const Eigen::Vector3d p = points.positions[point].cast<double>();
   const Eigen::Vector3d n = points.normals[point].cast<double>();
   const Eigen::Vector3d t = direction.cast<double>();
   Across across;
+  // Regular samples lie in pairs beside t1: rounding must not choose between them.
+  constexpr double EQUAL_COSINE = 1e-6;
   double most_ahead = 0.0;
   double most_behind = 0.0;
   for (const index_t q : star) {
-    const Eigen::Vector3d e = points.positions[q].cast<double>() - p;
+    const Eigen::Vector3d e = points.edge (point, q);
     const Eigen::Vector3d projected = e - e.dot (n) * n;
     const double length = projected.norm();
     if (length == 0.0)
       continue;
     const double cosine = projected.dot (t) / length;
-    if (cosine > most_ahead) {
+    if (cosine > most_ahead + EQUAL_COSINE) {
       most_ahead = cosine;
       across.ahead = q;
     }
-    if (cosine < most_behind) {
+    if (cosine < most_behind - EQUAL_COSINE) {
       most_behind = cosine;
       across.behind = q;
     }

@@ -81,11 +81,11 @@ private:
   index_t
   next (index_t point, const Eigen::Vector3f& direction) const
   {
-    float best_cosine = 0.6F;
+    double best_cosine = 0.6;
     index_t best = OrientedPoints::INVALID;
     for (const index_t q : graph_.star (point)) {
-      const Eigen::Vector3f e = points_.positions[q] - points_.positions[point];
-      const float cosine = e.dot (direction) / e.norm();
+      const Eigen::Vector3d e = points_.edge (point, q);
+      const double cosine = e.dot (direction.cast<double>()) / e.norm();
       if (cosine > best_cosine) {
         best_cosine = cosine;
         best = q;
@@ -172,8 +172,7 @@ elongation (const OrientedPoints& points,
     for (std::size_t i = 1; i < polyline.size(); ++i) {
       const index_t p = polyline[i - 1];
       const index_t q = polyline[i];
-      const double length =
-          (points.positions[q] - points.positions[p]).cast<double>().norm();
+      const double length = points.edge (p, q).norm();
       add (p, 0.5 * length);
       add (q, 0.5 * length);
     }

@@ -6,6 +6,7 @@
 #include "parallel.h"
 
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -19,8 +20,27 @@ meanSquaredDistance (const OrientedPoints& points, index_t point, const Star& st
 {
   double sum = 0.0;
   for (const index_t q : star)
-    sum += (points.positions[q] - points.positions[point]).cast<double>().squaredNorm();
+    sum += points.edge (point, q).squaredNorm();
   return sum / static_cast<double> (star.size());
+}
+
+/** \brief Whether the projections of a star, of which these are the second moments in
+ * the frame (x, y), lie on one line through the point as far as its coordinates can
+ * tell.
+ */
+bool
+isOnOneLine (const Eigen::Matrix2d& moments,
+             const Eigen::Vector3d& x,
+             const Eigen::Vector3d& y,
+             const Eigen::Vector3f& position)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes (moments);
+  const Eigen::Vector2d across = axes.eigenvectors().col (0);
+  const Eigen::Vector3d direction = across.x() * x + across.y() * y;
+  // Rounding to floats moves a point by up to half of this in that direction.
+  const double rounding = std::numeric_limits<float>::epsilon() *
+                          direction.cwiseAbs().dot (position.cast<double>().cwiseAbs());
+  return axes.eigenvalues()[0] <= 2.25 * rounding * rounding;
 }
 
 /** \brief Principal curvatures of the quadric with the shape matrix [a b; b c] in the
@@ -55,7 +75,6 @@ fitQuadric (const OrientedPoints& points, index_t point, const Star& star)
 {
   if (star.size() < 3)
     return UNDETERMINED;
-  const Eigen::Vector3d p = points.positions[point].cast<double>();
   const Eigen::Vector3d n = points.normals[point].cast<double>();
   const Eigen::Vector3d x = n.unitOrthogonal();
   const Eigen::Vector3d y = n.cross (x);
@@ -64,21 +83,30 @@ fitQuadric (const OrientedPoints& points, index_t point, const Star& star)
   const double unit = std::sqrt (meanSquaredDistance (points, point, star));
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+  Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
   for (const index_t q : star) {
-    const Eigen::Vector3d e = (points.positions[q].cast<double>() - p) / unit;
+    const Eigen::Vector3d e = points.edge (point, q) / unit;
     const double u = e.dot (x);
     const double v = e.dot (y);
     const Eigen::Vector3d row (0.5 * u * u, u * v, 0.5 * v * v);
     normal_matrix += row * row.transpose();
     right_side += row * e.dot (n);
+    moments += Eigen::Vector2d (u, v) * Eigen::RowVector2d (u, v);
   }
+  moments *= unit * unit / static_cast<double> (star.size());
 
+  // Near zero, directions as good as on two lines: errors of the heights would come out
+  // some thousand times as large.
+  constexpr double DEPENDENT = 1e-6;
   const double scale = normal_matrix.diagonal().prod();
-  if (!(normal_matrix.determinant() > 1e-9 * scale))
+  if (!(normal_matrix.determinant() > DEPENDENT * scale) ||
+      isOnOneLine (moments, x, y, points.positions[point]))
     return UNDETERMINED;
   const Eigen::Vector3d shape = normal_matrix.ldlt().solve (right_side) / unit;
   // The height falls where the surface is convex: hence the signs.
-  return principalCurvature (-shape[0], -shape[1], -shape[2], x, y);
+  const PrincipalCurvature curvature =
+      principalCurvature (-shape[0], -shape[1], -shape[2], x, y);
+  return std::isfinite (curvature.k1) ? curvature : UNDETERMINED;
 }
 
 std::vector<PrincipalCurvature>

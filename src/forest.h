@@ -14,9 +14,7 @@ polylineLength (const OrientedPoints& points, const std::vector<index_t>& polyli
 {
   double sum = 0.0;
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    sum += (points.positions[polyline[i]] - points.positions[polyline[i - 1]])
-               .cast<double>()
-               .norm();
+    sum += points.edge (polyline[i - 1], polyline[i]).norm();
   return sum;
 }
 

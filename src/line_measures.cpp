@@ -58,8 +58,7 @@ measureLines (const OrientedPoints& points,
       for (std::size_t i = 1; i < polyline.size(); ++i) {
         const index_t p = polyline[i - 1];
         const index_t q = polyline[i];
-        const double length =
-            (points.positions[q] - points.positions[p]).cast<double>().norm();
+        const double length = points.edge (p, q).norm();
         line.strength +=
             0.5 * length * (std::abs (curvature[p].k1) + std::abs (curvature[q].k1));
       }

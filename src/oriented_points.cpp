@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace pcl {
@@ -27,7 +28,7 @@ spreadBits (std::uint64_t v)
 std::uint64_t
 mortonCode (const Eigen::Vector3f& p, const Eigen::Vector3f& low, double cells_per_unit)
 {
-  const Eigen::Vector3d cell = (p - low).cast<double>() * cells_per_unit;
+  const Eigen::Vector3d cell = (p.cast<double>() - low.cast<double>()) * cells_per_unit;
   return spreadBits (static_cast<std::uint64_t> (cell.x())) |
          spreadBits (static_cast<std::uint64_t> (cell.y())) << 1 |
          spreadBits (static_cast<std::uint64_t> (cell.z())) << 2;
@@ -51,9 +52,7 @@ struct Sample {
 Eigen::Vector3f
 positionOf (const PointView& cloud, std::size_t i)
 {
-  // Adding zero turns -0 into +0, so that equal coordinates have equal bits.
-  return Eigen::Map<const Eigen::Vector3f> (cloud.position + i * cloud.stride).array() +
-         0.0F;
+  return Eigen::Map<const Eigen::Vector3f> (cloud.position + i * cloud.stride);
 }
 
 Eigen::Vector3d
@@ -113,22 +112,55 @@ packOrientedPoints (const PointView& cloud)
   points.cloud_index.reserve (samples.size());
 
   for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
-    const auto packed = static_cast<index_t> (points.size());
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (end = begin;
          end < samples.size() && samples[end].position == samples[begin].position;
-         ++end) {
+         ++end)
       sum += normalOf (cloud, samples[end].cloud_index);
-      points.packed_index[samples[end].cloud_index] = packed;
-    }
-    // Normals that cancel out leave no mean; the first is then as good as any.
-    if (sum.norm() < 1e-6)
-      sum = normalOf (cloud, samples[begin].cloud_index);
+    constexpr double CANCELLED = 1e-6;
+    if (sum.norm() < CANCELLED)
+      continue;
+    for (std::size_t i = begin; i < end; ++i)
+      points.packed_index[samples[i].cloud_index] =
+          static_cast<index_t> (points.size());
     points.positions.push_back (samples[begin].position);
     points.normals.emplace_back (sum.normalized().cast<float>());
     points.cloud_index.push_back (samples[begin].cloud_index);
   }
   return points;
+}
+
+index_t
+locatePoints (const PointView& cloud,
+              const std::vector<index_t>& indices,
+              const PointView& surface,
+              const OrientedPoints& points,
+              std::vector<index_t>& packed)
+{
+  const auto key = [] (const Eigen::Vector3f& p) {
+    return std::make_tuple (p.x(), p.y(), p.z());
+  };
+  std::map<std::tuple<float, float, float>, index_t> packed_at;
+  for (std::size_t i = 0; i < surface.size; ++i) {
+    const Eigen::Vector3f position = positionOf (surface, i);
+    if (!position.allFinite())
+      continue;
+    // Of coincident points some may be invalid.
+    index_t& place =
+        packed_at.emplace (key (position), OrientedPoints::INVALID).first->second;
+    place = std::max (place, points.packed_index[i]);
+  }
+  packed.assign (indices.size(), OrientedPoints::INVALID);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const Eigen::Vector3f position = positionOf (cloud, indices[i]);
+    if (!position.allFinite())
+      continue;
+    const auto found = packed_at.find (key (position));
+    if (found == packed_at.end())
+      return indices[i];
+    packed[i] = found->second;
+  }
+  return OrientedPoints::INVALID;
 }
 
 } // namespace crest

@@ -26,6 +26,15 @@ struct Candidate {
   }
 };
 
+struct Projected {
+  double squared_distance;
+  index_t point;
+  /** from the point to it, in the tangent plane */
+  Eigen::Vector3d edge;
+  /** of the angle between the two normals */
+  double normal_cosine;
+};
+
 /** \brief What the filter leaves of one block of points. */
 struct FilteredBlock {
   std::vector<index_t> neighbors;
@@ -48,11 +57,9 @@ public:
   rank (index_t point, const std::vector<index_t>& found)
   {
     candidates_.clear();
-    const Eigen::Vector3d p = points_.positions[point].cast<double>();
     for (const index_t q : found)
       if (q != point)
-        candidates_.push_back (
-            {(points_.positions[q].cast<double>() - p).squaredNorm(), q});
+        candidates_.push_back ({points_.edge (point, q).squaredNorm(), q});
     std::sort (candidates_.begin(), candidates_.end());
     // A search over the raw cloud may find a sample twice, as two coincident points.
     const auto same = [] (const Candidate& a, const Candidate& b) {
@@ -79,33 +86,66 @@ public:
   select (index_t point, std::vector<index_t>& neighbors)
   {
     nearest_.assign (intervals_, -1.0);
-    const Eigen::Vector3d p = points_.positions[point].cast<double>();
     const Eigen::Vector3d n = points_.normals[point].cast<double>();
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    Eigen::Vector3d y = x;
-    for (const Candidate& candidate : candidates_) {
-      if (points_.normals[candidate.point].cast<double>().dot (n) < min_cosine_)
-        continue;
-      const Eigen::Vector3d e = points_.positions[candidate.point].cast<double>() - p;
-      const Eigen::Vector3d projected = e - e.dot (n) * n;
-      // Straight above or below the point there is no polar angle.
-      if (projected.squaredNorm() < 1e-6 * candidate.squared_distance)
-        continue;
-      if (x.isZero (0.0)) {
-        x = projected.normalized();
-        y = n.cross (x);
-      }
-      double& nearest = nearest_[interval (e.dot (x), e.dot (y))];
-      constexpr double EQUIDISTANT = 1.0 + 1e-5;
+    projectCandidates (point, n);
+    if (projected_.empty())
+      return true;
+    const Eigen::Vector3d x = axis();
+    const Eigen::Vector3d y = n.cross (x);
+    for (const Projected& candidate : projected_) {
+      double& nearest =
+          nearest_[interval (candidate.edge.dot (x), candidate.edge.dot (y))];
       if (nearest < 0.0)
         nearest = candidate.squared_distance;
-      if (candidate.squared_distance <= nearest * EQUIDISTANT)
+      if (candidate.squared_distance <= nearest * (1.0 + EQUIDISTANT))
         neighbors.push_back (candidate.point);
     }
     return hasEmptyQuadrant();
   }
 
 private:
+  /** \brief Of the ranked candidates those on the same sheet of the surface that have a
+   * polar angle, with their projections.
+   */
+  void
+  projectCandidates (index_t point, const Eigen::Vector3d& n)
+  {
+    projected_.clear();
+    for (const Candidate& candidate : candidates_) {
+      const double cosine = points_.normals[candidate.point].cast<double>().dot (n);
+      if (cosine < min_cosine_)
+        continue;
+      const Eigen::Vector3d e = points_.edge (point, candidate.point);
+      const Eigen::Vector3d projected = e - e.dot (n) * n;
+      // Straight above or below the point there is no polar angle.
+      if (projected.squaredNorm() > 1e-6 * candidate.squared_distance)
+        projected_.push_back (
+            {candidate.squared_distance, candidate.point, projected, cosine});
+    }
+  }
+
+  /** \brief The direction of the nearest neighbour; of equidistant ones that whose
+   * normal differs most, which turns with the cloud; of these, on a plane, the lowest
+   * index.
+   */
+  Eigen::Vector3d
+  axis () const
+  {
+    const double limit = projected_.front().squared_distance * (1.0 + EQUIDISTANT);
+    double most_different = 2.0;
+    for (const Projected& candidate : projected_)
+      if (candidate.squared_distance <= limit)
+        most_different = std::min (most_different, candidate.normal_cosine);
+    constexpr double EQUAL_COSINE = 1e-6;
+    const Projected* chosen = nullptr;
+    for (const Projected& candidate : projected_)
+      if (candidate.squared_distance <= limit &&
+          candidate.normal_cosine <= most_different + EQUAL_COSINE &&
+          (chosen == nullptr || candidate.point < chosen->point))
+        chosen = &candidate;
+    return chosen->edge.normalized();
+  }
+
   /** \brief The interval of a direction in the tangent plane: 0 is centred on the x
    * axis, borders belong to the side nearer to it.
    */
@@ -136,6 +176,7 @@ private:
   double width_;
   double min_cosine_;
   std::vector<Candidate> candidates_;
+  std::vector<Projected> projected_;
   std::vector<double> nearest_;
 };
 

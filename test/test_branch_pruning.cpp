@@ -126,3 +126,45 @@ TEST (Pruning, EveryTreeOfTheForestIsItsOwn)
   EXPECT_EQ (left[0].b, 1);
   EXPECT_EQ (left[1].b, 2);
 }
+
+TEST (Pruning, OfEqualSizesAndLengthsTheLowerEndGoesFirst)
+{
+  // Arms of equal steps: 1 ... 3, 4 ... 6 and 7 ... 9, with ends 3, 6 and 9.
+  const auto arm = [] (float x, float y) {
+    return std::vector<Eigen::Vector3f>{
+        {x, y, 0}, {2 * x, 2 * y, 0}, {3 * x, 3 * y, 0}};
+  };
+  std::vector<Eigen::Vector3f> positions{{0, 0, 0}};
+  std::vector<CrestEdge> edges;
+  for (const auto& points : {arm (1, 0), arm (0, 1), arm (-1, 0)}) {
+    int from = 0;
+    for (const Eigen::Vector3f& p : points) {
+      const int next = static_cast<int> (positions.size());
+      edges.push_back ({from, next, EdgeType::A, 1.0});
+      positions.push_back (p);
+      from = next;
+    }
+  }
+  std::set<pcl::index_t> left;
+  for (const CrestEdge& e : pruneBranches (oracle::pointsAt (positions), edges, 10))
+    left.insert (e.b);
+  EXPECT_EQ (left, range (4, 9));
+}
+
+TEST (Pruning, ABranchThatHasGrownIsMeasuredAgain)
+{
+  // At 20 of a trunk a stem of 2 points, then twigs of 3 and 4. Without the twig of 3
+  // the other is a branch of 6, longer than the branch of 5 at 22, which has to go
+  // first; with its old size of 4 it would go before. Then the trunk at 22 ends in the
+  // stem.
+  Tree tree;
+  tree.grow (-1, 22);                 // 0 ... 22
+  tree.grow (22, 5);                  // 23 ... 27
+  const int fork = tree.grow (22, 2); // 28, 29
+  tree.grow (fork, 3);                // 30 ... 32
+  tree.grow (fork, 4);                // 33 ... 36
+  std::set<pcl::index_t> expected = range (0, 22);
+  expected.merge (range (28, 29));
+  expected.merge (range (33, 36));
+  EXPECT_EQ (pruned (tree, 10), expected);
+}

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 using namespace pcl::crest;
@@ -338,16 +339,89 @@ TEST (Feature, OwnSearchMethodOnACloudThatLiesAboutBeingDense)
   EXPECT_EQ (labelsOf (estimation).at (5), LABEL_INVALID);
 }
 
-TEST (Feature, SearchMethodOfACloudThatHasShrunk)
+TEST (Feature, SearchMethodOfACloudThatHasChanged)
 {
   const Cloud::Ptr cloud = ridgeAndValley();
   const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>();
   tree->setInputCloud (cloud);
-  cloud->resize (1000);
+  const Cloud::Ptr other = oracle::sample (oracle::wavyRidge(), 2000);
+  *cloud = *other;
   Estimation estimation;
   estimation.setInputCloud (cloud);
   estimation.setSearchMethod (tree);
-  expectRefused (estimation, "the cloud has changed");
+  EXPECT_EQ (labelsOf (estimation), labelsOf (other));
+}
+
+/** \brief Searches another cloud than the one it is given. */
+class ForgetfulSearch : public pcl::search::BruteForce<pcl::PointNormal> {
+public:
+  using Base = pcl::search::BruteForce<pcl::PointNormal>;
+  int
+  nearestKSearch (const pcl::PointNormal& point,
+                  int k,
+                  pcl::Indices& found,
+                  std::vector<float>& distances) const override
+  {
+    const int count = Base::nearestKSearch (point, k, found, distances);
+    found.front() = 1000000;
+    return count;
+  }
+};
+
+TEST (Feature, SearchMethodThatReturnsStrangeIndices)
+{
+  Estimation estimation;
+  estimation.setInputCloud (oracle::sample (oracle::wavyRidge(), 500));
+  estimation.setSearchMethod (pcl::make_shared<ForgetfulSearch>());
+  expectRefused (estimation, "returned points outside the cloud");
+}
+
+TEST (Feature, OrganizedSearchOfAnUnorganizedCloudIsRefused)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  estimation.setSearchMethod (
+      pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointNormal>>());
+  expectRefused (estimation, "OrganizedNeighbor cannot search this cloud");
+}
+
+TEST (Feature, LargestAndSmallestUnitsGiveTheSameLabels)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  for (const float scale : {std::ldexp (1.0F, 120), std::ldexp (1.0F, -100)}) {
+    const Cloud::Ptr scaled = pcl::make_shared<Cloud> (*cloud);
+    for (pcl::PointNormal& point : *scaled)
+      point.getVector3fMap() *= scale;
+    EXPECT_EQ (labelsOf (scaled), expected) << scale;
+  }
+}
+
+TEST (Feature, PruneSizeDecidesWhichBranchesStay)
+{
+  const Cloud::Ptr cloud = oracle::sample (oracle::bumpySphere(), 6000);
+  const auto shortestBranch = [&] (int prune) {
+    Estimation estimation;
+    estimation.setInputCloud (cloud);
+    estimation.setPruneSize (prune);
+    labelsOf (estimation);
+    std::size_t shortest = 1000;
+    for (const CrestLine& line : estimation.getLines()) {
+      std::map<pcl::index_t, int> ends;
+      for (const auto& polyline : line.polylines) {
+        ++ends[polyline.front()];
+        ++ends[polyline.back()];
+      }
+      for (const auto& polyline : line.polylines)
+        if (line.polylines.size() > 1 &&
+            (ends[polyline.front()] == 1 || ends[polyline.back()] == 1))
+          shortest = std::min (shortest, polyline.size() - 1);
+    }
+    return shortest;
+  };
+  EXPECT_EQ (shortestBranch (0), 2U);
+  EXPECT_EQ (shortestBranch (4), 5U);
+  EXPECT_GT (shortestBranch (10), 10U);
 }
 
 TEST (Feature, CloudThatChangedBehindTheSamePointer)
@@ -413,6 +487,9 @@ TEST (Feature, OrganizedCloudWithHoles)
   estimation.compute (labels);
   EXPECT_EQ (labels.width, cloud->width);
   EXPECT_EQ (labels.height, cloud->height);
+  EXPECT_EQ (estimation.getPrincipalCurvatures().width, cloud->width);
+  EXPECT_EQ (estimation.getPrincipalCurvatures().height, cloud->height);
+  EXPECT_FALSE (estimation.getPrincipalCurvatures().is_dense);
   std::size_t ridge_in_the_middle = 0;
   for (std::uint32_t row = 0; row < cloud->height; ++row)
     for (std::uint32_t column = 0; column < cloud->width; ++column) {
@@ -510,6 +587,8 @@ TEST (Feature, MistakesAreRefusedInWords)
   refused ([] (Estimation& e) { e.setPointsPerQuadrant (0); },
            "points per quadrant is 0");
   refused ([] (Estimation& e) { e.setMaxNormalAngle (0.0); }, "normals is 0");
+  refused ([] (Estimation& e) { e.setNumberOfThreads (100000); },
+           "the number of threads is 100000, but must be at most 1024");
   refused ([] (Estimation& e) { e.setWantedTypes (false, false); },
            "neither ridges nor valleys");
   refused (

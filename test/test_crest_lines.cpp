@@ -19,20 +19,25 @@ namespace {
 std::vector<CrestLine>
 trace (const Tree& tree,
        const std::vector<std::pair<int, int>>& more_edges = {},
-       std::size_t more_points = 0)
+       std::size_t more_points = 0,
+       Membership more_members = Membership::CREST,
+       std::size_t largest_branch = 10)
 {
   std::vector<std::pair<int, int>> edges = more_edges;
   for (const CrestEdge& e : tree.edges())
     edges.emplace_back (e.a, e.b);
   OrientedPoints points = tree.points();
   points.positions.resize (points.size() + more_points, Eigen::Vector3f::Zero());
-  const std::vector<Membership> members (points.size(), Membership::CREST);
+  std::vector<Membership> members (points.size(), Membership::CREST);
+  std::fill (members.end() - static_cast<std::ptrdiff_t> (more_points),
+             members.end(),
+             more_members);
   return traceLines (points,
                      oracle::graphOf (points.size(), edges),
                      members,
                      tree.edges(),
                      CrestType::RIDGE,
-                     10);
+                     largest_branch);
 }
 
 } // namespace
@@ -91,6 +96,24 @@ TEST (Lines, LoopIsClosedThroughPrunedPoints)
   EXPECT_EQ (closed[0].polylines,
              (std::vector<std::vector<pcl::index_t>>{
                  {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 12, 0}}));
+}
+
+TEST (Lines, NoLoopThroughPointsOutsideTheCrestGraph)
+{
+  Tree tree;
+  tree.grow (-1, 11);
+  const std::vector<CrestLine> lines =
+      trace (tree, {{0, 12}, {12, 13}, {13, 11}}, 2, Membership::OUTSIDE);
+  EXPECT_FALSE (lines.at (0).closed);
+}
+
+TEST (Lines, NoLoopOverMorePointsThanABranchMayHave)
+{
+  Tree tree;
+  tree.grow (-1, 39);
+  const std::vector<std::pair<int, int>> way{{0, 40}, {40, 41}, {41, 42}, {42, 39}};
+  EXPECT_FALSE (trace (tree, way, 3, Membership::CREST, 2).at (0).closed);
+  EXPECT_TRUE (trace (tree, way, 3, Membership::CREST, 3).at (0).closed);
 }
 
 TEST (Lines, AWayBackBesideTheLineMakesNoLoop)

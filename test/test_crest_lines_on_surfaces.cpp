@@ -62,12 +62,26 @@ TEST_P (OnSurface, LinesAreWhereTheTruthIs)
   const double tolerance = 1.5 * oracle::meanSpacing (*cloud);
   const auto truth = oracle::trueCrestLines (c.surface);
   const Extraction run = extract (cloud, c.parameters());
-  for (const CrestType type : c.types) {
+  for (const CrestType type : CREST_TYPES) {
+    const bool salient =
+        std::find (c.types.begin(), c.types.end(), type) != c.types.end();
+    const bool in_truth = std::any_of (
+        truth.begin(), truth.end(), [type] (const auto& s) { return s.type == type; });
+    if (!salient) {
+      EXPECT_TRUE (in_truth || std::none_of (run.lines.begin(),
+                                             run.lines.end(),
+                                             [type] (const CrestLine& line) {
+                                               return line.type == type;
+                                             }))
+          << "lines of a type that the surface does not have";
+      continue;
+    }
     const oracle::Score score =
         oracle::score (run.lines, *cloud, truth, type, tolerance);
     const char* name = type == CrestType::RIDGE ? "ridges" : "valleys";
     EXPECT_GE (score.precision, 0.95) << c.surface.name << ' ' << name;
     EXPECT_GE (score.recall, 0.95) << c.surface.name << ' ' << name;
+    EXPECT_GE (score.salient_part, 0.25) << c.surface.name << ' ' << name;
   }
 }
 
@@ -125,6 +139,7 @@ TEST_P (OnSurface, ScaleDoesNotMatterToARelativeM)
     parameters.maximality[type] *= 0.04;
   const Extraction run = extract (cloud, parameters);
   // Powers of two change no digit of a float: the labels are the same to the last one.
+  // Others round the coordinates, and some threshold decides differently.
   for (const float scale : {1.0F / 8192.0F, 8192.0F, 1e-4F, 1e4F}) {
     const Cloud::Ptr scaled = pcl::make_shared<Cloud> (*cloud);
     for (pcl::PointNormal& point : *scaled)
@@ -132,9 +147,7 @@ TEST_P (OnSurface, ScaleDoesNotMatterToARelativeM)
     const bool exact = scale == 8192.0F || scale == 1.0F / 8192.0F;
     const std::size_t different =
         countDifferent (run.labels, extract (scaled, parameters).labels);
-    EXPECT_LE (different, exact ? 0 : cloud->size() / 1000) << "scale " << scale;
-    RecordProperty ("different_at_scale_" + std::to_string (scale),
-                    std::to_string (different));
+    EXPECT_LE (different, exact ? 0 : 5) << "scale " << scale;
   }
 }
 

@@ -97,6 +97,30 @@ TEST (CrestPoints, TheNeighbourClosestInAngleIsTheOneAcross)
   EXPECT_EQ (scene.classify (0.01), CrestType::NONE);
 }
 
+TEST (CrestPoints, OfEquallyCloseNeighboursTheLowerIndexCounts)
+{
+  Scene scene ({30, -30, 150, -150});
+  scene.curvature[0].k1 = 2;
+  scene.curvature[2].k1 = 3;
+  scene.curvature[4].k1 = 3;
+  EXPECT_EQ (scene.classify (0.01), CrestType::RIDGE);
+  scene.curvature[1].k1 = 3;
+  EXPECT_EQ (scene.classify (0.01), CrestType::NONE);
+  scene.curvature[1].k1 = 0;
+  scene.curvature[3].k1 = 3;
+  EXPECT_EQ (scene.classify (0.01), CrestType::NONE);
+}
+
+TEST (CrestPoints, AnglesAreThoseInTheTangentPlane)
+{
+  // Far below the plane but straight ahead in it: closer in angle than 20 degrees off.
+  Scene scene ({0, 20, 180});
+  scene.points.positions[1].z() = -2.0F;
+  scene.curvature[0].k1 = 2;
+  scene.curvature[2].k1 = 3;
+  EXPECT_EQ (scene.classify (0.01), CrestType::RIDGE);
+}
+
 TEST (CrestPoints, WhereTheSurfaceEndsThereIsNoMaximum)
 {
   Scene scene ({20, -30, 80, -85});

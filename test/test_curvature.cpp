@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 
 using namespace pcl::crest;
 
@@ -172,4 +173,23 @@ TEST (Curvature, StarThatDoesNotDetermineAQuadricIsInvalid)
   EXPECT_FALSE (fit ({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {-1, 0, 0}, {-3, 0, 1}}));
   EXPECT_FALSE (fit ({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 1}}));
   EXPECT_TRUE (fit ({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+}
+
+TEST (Curvature, PointsOfOneLineAreOnOneLineHoweverItLies)
+{
+  // Rounding puts points beside a line that is not parallel to an axis.
+  std::mt19937 random (2);
+  std::uniform_real_distribution<double> any (-1.0, 1.0);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d through (any (random), any (random), any (random));
+    const Eigen::Vector3d along (any (random), any (random), any (random));
+    std::vector<Eigen::Vector3f> positions;
+    for (int j = 0; j < 9; ++j)
+      positions.emplace_back (
+          (through + 1e-3 * any (random) * along.normalized()).cast<float>());
+    OrientedPoints points = oracle::pointsAt (positions);
+    points.normals[0] = along.unitOrthogonal().cast<float>();
+    const pcl::Indices star{1, 2, 3, 4, 5, 6, 7, 8};
+    EXPECT_FALSE (fitQuadric (points, 0, {star.data(), star.data() + 8}).valid) << i;
+  }
 }

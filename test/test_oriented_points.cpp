@@ -5,6 +5,7 @@
 #include "support/stage_inputs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -69,14 +70,17 @@ TEST (OrientedPoints, CoincidentPointsBecomeOneWithTheirMeanNormal)
       Eigen::Vector3f (1, 1, 0).normalized()));
 }
 
-TEST (OrientedPoints, OppositeCoincidentNormalsLeaveTheFirst)
+TEST (OrientedPoints, CoincidentNormalsThatCancelOutAreInvalid)
 {
   pcl::PointCloud<pcl::PointNormal> cloud;
   cloud.push_back (at (0, 0, 0, {0, 0, -1}));
+  cloud.push_back (at (1, 0, 0));
   cloud.push_back (at (0, 0, 0, {0, 0, 1}));
   const OrientedPoints points = oracle::pack (cloud);
   ASSERT_EQ (points.size(), 1U);
-  EXPECT_EQ (points.normals[0], -Eigen::Vector3f::UnitZ());
+  EXPECT_EQ (
+      points.packed_index,
+      (std::vector<pcl::index_t>{OrientedPoints::INVALID, 0, OrientedPoints::INVALID}));
 }
 
 TEST (OrientedPoints, OrderDoesNotDependOnTheOrderOfTheCloud)
@@ -99,4 +103,48 @@ TEST (OrientedPoints, FarFromTheOriginNothingIsLost)
   const OrientedPoints points = oracle::pack (cloud);
   EXPECT_EQ (points.size(), 100U);
   EXPECT_DOUBLE_EQ (points.extent, 99.0);
+}
+
+TEST (OrientedPoints, LargestAndSmallestFloatsKeepTheirOrder)
+{
+  for (const float scale : {3e38F, 1e-30F}) {
+    pcl::PointCloud<pcl::PointNormal> cloud;
+    cloud.push_back (at (scale, -scale, scale));
+    cloud.push_back (at (-scale, scale, -scale));
+    cloud.push_back (at (0, 0, 0));
+    const OrientedPoints points = oracle::pack (cloud);
+    ASSERT_EQ (points.size(), 3U);
+    EXPECT_NEAR (points.extent / scale, 2.0, 1e-6);
+    EXPECT_NEAR (points.edge (points.packed_index[0], points.packed_index[1]).norm() /
+                     scale,
+                 std::sqrt (12.0),
+                 1e-6);
+  }
+}
+
+TEST (OrientedPoints, PointsOfAnotherCloudAreFoundByPosition)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  pcl::PointCloud<pcl::PointNormal> surface;
+  surface.push_back (at (1, 0, 0, Eigen::Vector3f::Zero()));
+  surface.push_back (at (2, 0, 0));
+  surface.push_back (at (1, 0, 0)); // the first has a valid twin
+  surface.push_back (at (3, 0, 0, Eigen::Vector3f::Zero()));
+  const OrientedPoints points = oracle::pack (surface);
+  pcl::PointCloud<pcl::PointNormal> cloud;
+  cloud.push_back (at (3, 0, 0));
+  cloud.push_back (at (1, 0, 0));
+  cloud.push_back (at (nan, 0, 0));
+  cloud.push_back (at (2.5F, 0, 0));
+  std::vector<pcl::index_t> packed;
+  const auto locate = [&] (const std::vector<pcl::index_t>& indices) {
+    return locatePoints (
+        oracle::viewOf (cloud), indices, oracle::viewOf (surface), points, packed);
+  };
+  EXPECT_EQ (locate ({2, 1, 0}), OrientedPoints::INVALID);
+  EXPECT_EQ (packed,
+             (std::vector<pcl::index_t>{OrientedPoints::INVALID,
+                                        points.packed_index[2],
+                                        OrientedPoints::INVALID}));
+  EXPECT_EQ (locate ({1, 3}), 3);
 }

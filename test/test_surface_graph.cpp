@@ -27,8 +27,8 @@ withNeighbors (int k, int points_per_quadrant = 2)
 }
 
 /** \brief Section 4.1 written down once more, plainly: for each interval look at all
- * points and keep those nearest. Reference axis: the nearest point that can be seen in
- * the tangent plane.
+ * points and keep those nearest. Reference axis: the nearest point, of equidistant ones
+ * that whose normal differs most.
  */
 std::set<pcl::index_t>
 filterPlainly (const OrientedPoints& points,
@@ -45,10 +45,17 @@ filterPlainly (const OrientedPoints& points,
     return (points.positions[q] - points.positions[p]).cast<double>();
   };
   const auto squared = [&] (pcl::index_t q) { return edge (q).squaredNorm(); };
-  const pcl::index_t nearest =
-      *std::min_element (candidates.begin(), candidates.end(), [&] (auto a, auto b) {
-        return squared (a) < squared (b);
-      });
+  double least = std::numeric_limits<double>::infinity();
+  for (const pcl::index_t q : candidates)
+    least = std::min (least, squared (q));
+  pcl::index_t nearest = -1;
+  const auto cosine = [&] (pcl::index_t q) {
+    return points.normals[q].cast<double>().dot (n);
+  };
+  for (const pcl::index_t q : candidates)
+    if (squared (q) <= least * (1.0 + EQUIDISTANT) &&
+        (nearest < 0 || cosine (q) < cosine (nearest)))
+      nearest = q;
   const Eigen::Vector3d x = (edge (nearest) - edge (nearest).dot (n) * n).normalized();
   const double width = M_PI / 2.0 / points_per_quadrant;
   std::set<pcl::index_t> chosen;
@@ -66,7 +73,7 @@ filterPlainly (const OrientedPoints& points,
       }
     }
     for (const pcl::index_t q : inside)
-      if (squared (q) <= best * (1.0 + 1e-5))
+      if (squared (q) <= best * (1.0 + EQUIDISTANT))
         chosen.insert (q);
   }
   return chosen;
@@ -171,7 +178,7 @@ TEST (SurfaceGraph, LatticePointsAreJoinedWithTheEightAround)
 TEST (SurfaceGraph, EquidistantPointsOfOneIntervalAreAllKept)
 {
   // One point ahead fixes the axis; two more, equally far, share the interval at 45
-  // degrees, a third one behind them does not count.
+  // degrees but for what rounding leaves; a third one just behind does not count.
   const auto direction = [] (double degrees, float length) {
     const double a = degrees * M_PI / 180.0;
     return Eigen::Vector3f (length * static_cast<float> (std::cos (a)),
@@ -180,9 +187,9 @@ TEST (SurfaceGraph, EquidistantPointsOfOneIntervalAreAllKept)
   };
   const OrientedPoints points = oracle::pointsAt ({Eigen::Vector3f::Zero(),
                                                    direction (0, 1.0F),
-                                                   direction (35, 2.0F),
+                                                   direction (35, 2.0001F),
                                                    direction (55, 2.0F),
-                                                   direction (45, 2.5F)});
+                                                   direction (45, 2.01F)});
   pcl::Indices everything{0, 1, 2, 3, 4};
   const NeighborSearch search = [&] (pcl::index_t p, pcl::Indices& found) {
     found = p == 0 ? everything : pcl::Indices{p};
@@ -209,17 +216,38 @@ TEST (SurfaceGraph, SheetsBackToBackAreNotJoined)
       EXPECT_EQ (points.positions[p].z(), points.positions[q].z());
 }
 
-TEST (SurfaceGraph, NormalsAtARightAngleAreNoJump)
+class NormalJump : public testing::Test {
+protected:
+  /** \brief The neighbours of the first point where those around it have normals turned
+   * by 0, 45, 90 and 100 degrees, with a limit to the angle.
+   */
+  std::set<pcl::index_t>
+  starWithLimit (double degrees)
+  {
+    OrientedPoints points =
+        oracle::pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
+    points.normals[2] = Eigen::Vector3f (0, 1, 1).normalized();
+    points.normals[3] = Eigen::Vector3f::UnitX();
+    points.normals[4] = Eigen::Vector3f (0, 1, -0.176F).normalized();
+    const NeighborSearch search = [] (pcl::index_t p, pcl::Indices& found) {
+      found = p == 0 ? pcl::Indices{0, 1, 2, 3, 4} : pcl::Indices{p};
+    };
+    Parameters parameters = withNeighbors (5);
+    parameters.max_normal_angle = degrees;
+    return starOf (buildSurfaceGraph (points, search, parameters), 0);
+  }
+};
+
+TEST_F (NormalJump, RightAnglesAreNone)
 {
-  OrientedPoints points =
-      oracle::pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}});
-  points.normals[1] = Eigen::Vector3f::UnitX();
-  points.normals[2] = Eigen::Vector3f (0, 1, -0.01F).normalized();
-  const NeighborSearch search = [] (pcl::index_t, pcl::Indices& found) {
-    found = {0, 1, 2, 3};
-  };
-  const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (4));
-  EXPECT_EQ (starOf (graph, 0), (std::set<pcl::index_t>{1, 3}));
+  EXPECT_EQ (starWithLimit (90.0), (std::set<pcl::index_t>{1, 2, 3}));
+}
+
+TEST_F (NormalJump, LimitIsTheParameter)
+{
+  EXPECT_EQ (starWithLimit (30.0), (std::set<pcl::index_t>{1}));
+  EXPECT_EQ (starWithLimit (60.0), (std::set<pcl::index_t>{1, 2}));
+  EXPECT_EQ (starWithLimit (180.0), (std::set<pcl::index_t>{1, 2, 3, 4}));
 }
 
 TEST (SurfaceGraph, TurnsWithTheCloudAndFlipsWithItsNormals)
@@ -296,4 +324,71 @@ TEST (SurfaceGraph, MeanSpacingIsThatOfTheSixNearest)
   const SurfaceGraph graph =
       buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
   EXPECT_NEAR (graph.mean_spacing / oracle::meanSpacing (*cloud), 1.0, 1e-5);
+}
+
+TEST (SurfaceGraph, StraightAboveThePointIsNoNeighbour)
+{
+  const OrientedPoints points =
+      oracle::pointsAt ({{0, 0, 0}, {0, 0, 0.5F}, {1, 0, 0}, {0, 1, 0}});
+  const NeighborSearch search = [] (pcl::index_t p, pcl::Indices& found) {
+    found = p == 0 ? pcl::Indices{0, 1, 2, 3} : pcl::Indices{p};
+  };
+  const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (4));
+  EXPECT_EQ (starOf (graph, 0), (std::set<pcl::index_t>{2, 3}));
+}
+
+TEST (SurfaceGraph, CandidatesFoundTwiceCountOnce)
+{
+  const OrientedPoints points =
+      oracle::pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {-3, 0, 0}});
+  const NeighborSearch search = [] (pcl::index_t, pcl::Indices& found) {
+    found = {0, 1, 1, 2, 2, 2, 3, 3};
+  };
+  const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (8));
+  EXPECT_EQ (graph.star (0).size(), 3U);
+}
+
+TEST (SurfaceGraph, EmptyQuadrantIsSeenWhereverItBegins)
+{
+  // Neighbours every 45 degrees but for two in a row, which leave a gap of 135 degrees.
+  for (int first_missing = 1; first_missing < 7; ++first_missing) {
+    std::vector<Eigen::Vector3f> positions{Eigen::Vector3f::Zero()};
+    for (int i = 0; i < 8; ++i)
+      if (i != first_missing && i != first_missing + 1) {
+        const double a = i * M_PI / 4.0;
+        // The first is the nearest and so the axis.
+        const double r = i == 0 ? 1.0 : 1.1;
+        positions.emplace_back (static_cast<float> (r * std::cos (a)),
+                                static_cast<float> (r * std::sin (a)),
+                                0.0F);
+      }
+    const OrientedPoints points = oracle::pointsAt (positions);
+    const NeighborSearch search = [&] (pcl::index_t, pcl::Indices& found) {
+      found.resize (positions.size());
+      std::iota (found.begin(), found.end(), 0);
+    };
+    const SurfaceGraph graph = buildSurfaceGraph (points, search, withNeighbors (8));
+    EXPECT_EQ (graph.boundary[0], 1) << first_missing;
+  }
+  // The gap around the direction opposite to the axis, and one across interval 0.
+  const auto boundary = [] (const std::vector<double>& degrees) {
+    std::vector<Eigen::Vector3f> positions{Eigen::Vector3f::Zero()};
+    float r = 1.0F;
+    for (const double d : degrees) {
+      const double a = d * M_PI / 180.0;
+      positions.emplace_back (r * static_cast<float> (std::cos (a)),
+                              r * static_cast<float> (std::sin (a)),
+                              0.0F);
+      r = 1.1F;
+    }
+    const OrientedPoints points = oracle::pointsAt (positions);
+    const NeighborSearch search = [&] (pcl::index_t, pcl::Indices& found) {
+      found.resize (positions.size());
+      std::iota (found.begin(), found.end(), 0);
+    };
+    return buildSurfaceGraph (points, search, withNeighbors (8)).boundary[0];
+  };
+  EXPECT_EQ (boundary ({0, 45, 90, 135, 180, 225, 270, 315}), 0);
+  EXPECT_EQ (boundary ({0, 45, 90, 135, 180, 225, 270}), 0);
+  EXPECT_EQ (boundary ({0, 45, 90, 135, 180, 225}), 1);
 }

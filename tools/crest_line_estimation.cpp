@@ -53,8 +53,8 @@ checkOutputs (const Files& files, std::string& error)
       namespace fs = std::filesystem;
       std::error_code ignored;
       return fs::equivalent (other, output.file, ignored) ||
-             fs::weakly_canonical (other, ignored) ==
-                 fs::weakly_canonical (output.file, ignored);
+             fs::weakly_canonical (fs::absolute (other), ignored) ==
+                 fs::weakly_canonical (fs::absolute (output.file), ignored);
     };
     if (std::any_of (taken.begin(), taken.end(), same)) {
       error =

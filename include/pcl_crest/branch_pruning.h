@@ -11,15 +11,15 @@ namespace crest {
  *
  * A branch leads from an end (a point with one edge) to the first junction (a point
  * with more than two); its size is the number of its points, without the junction.
- * Branches of one point go first, then those of up to `largest`, shortest first, and
- * again while pruning makes new ones. Among branches of one size the one of smaller
- * length goes first, then the one whose end has the lower index. The way between two
- * ends without a junction is no branch, it is the line itself, and always stays.
+ * Those of up to `largest` points go, shortest first, and again while pruning makes new
+ * ones; branches of one point in any case. Among branches of one size the one of
+ * smaller length goes first, then the one whose end has the lower index. The way
+ * between two ends without a junction is no branch, it is the line itself, and always
+ * stays.
  *
  * \param[in] points for the lengths
  * \param[in] forest the edges of a forest
- * \param[in] largest the largest size to prune; 0 prunes only branches of one point,
- * which the paper does in any case
+ * \param[in] largest the largest size to prune; 0 is as good as 1
  * \return the edges that remain
  */
 std::vector<CrestEdge>

@@ -45,7 +45,7 @@ extractCrests (const OrientedPoints& points,
                const Parameters& parameters);
 
 /** \brief The label of each packed point. A point joined by growth that lies on lines
- * of both types belongs to that of the sign of its own curvature.
+ * of both types belongs to the larger one, of equals to the longer.
  */
 std::vector<Label>
 labelPoints (const SurfaceShape& shape,

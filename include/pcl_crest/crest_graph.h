@@ -21,15 +21,18 @@ struct CrestEdge {
   index_t a;
   index_t b;
   EdgeType type;
-  /** squared length, the first tie break among edges of one type */
+  /** squared length, rounded to about EQUIDISTANT, the first tie break among edges of
+   * one type */
   double squared_length;
 };
 
 /** \brief Grows the crest points of one type by the points that share an edge with
- * them and are not crest points of either type (section 4.4).
+ * them and are not crest points of either type (section 4.4). Points without a
+ * curvature are invalid and stay out.
  */
 std::vector<Membership>
 growRegions (const SurfaceGraph& graph,
+             const std::vector<PrincipalCurvature>& curvature,
              const std::vector<CrestType>& crest_points,
              CrestType type);
 

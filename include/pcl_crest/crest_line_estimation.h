@@ -33,7 +33,8 @@ namespace pcl {
  * surface; lines then index the surface. Without setSearchMethod, setKSearch and
  * setRadiusSearch, the 24 closest neighbours are found with PCL's KdTree over the valid
  * points, for organized clouds too, as OrganizedNeighbor takes only what comes from a
- * projective device. A search method that is set is used as it is.
+ * projective device. A search method that is set is given the surface at each compute,
+ * because the points behind its pointer may have changed.
  *
  * Mistakes are reported with PCL_ERROR and leave all outputs empty. A cloud without
  * any usable point is no mistake: its labels are all crest::LABEL_INVALID.
@@ -103,11 +104,13 @@ public:
   {
     parameters_.maximality = {maximality, maximality};
   }
+  /** \brief Set M for ridges alone. */
   void
   setRidgeMaximality (double maximality)
   {
     parameters_.maximality.ridge = maximality;
   }
+  /** \brief Set M for valleys alone. */
   void
   setValleyMaximality (double maximality)
   {
@@ -127,11 +130,13 @@ public:
   {
     parameters_.min_size = {points, points};
   }
+  /** \brief Set S for ridges alone. */
   void
   setRidgeMinSize (int points)
   {
     parameters_.min_size.ridge = points;
   }
+  /** \brief Set S for valleys alone. */
   void
   setValleyMinSize (int points)
   {
@@ -271,6 +276,7 @@ protected:
 
 private:
   struct Result {
+    bool complete = false;
     std::vector<crest::CrestLine> lines;
     typename PointCloudIn::ConstPtr line_cloud;
     pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
@@ -284,11 +290,9 @@ private:
   bool
   prepareSearchMethod ();
 
-  /** \brief For each of the indices its place in the surface, or -1 where the point is
-   * not finite. False if a finite one is not in the surface.
-   */
-  bool
-  locateInSurface (pcl::Indices& places) const;
+  /** \brief How the stages see a cloud of PCL. */
+  static crest::PointView
+  viewOf (const PointCloudIn& cloud);
 
   crest::Parameters parameters_;
   Result result_;

@@ -27,8 +27,8 @@ struct PrincipalCurvature {
  * and directions at the point.
  *
  * The quadric has no linear terms: it is tangent to the plane of the given normal, as
- * the paper has it. A star of fewer than three points, or whose projections lie on two
- * lines through the point, does not determine it.
+ * the paper has it. A star of fewer than three points, or whose projections lie on one
+ * or two lines through the point, does not determine it.
  */
 PrincipalCurvature
 fitQuadric (const OrientedPoints& points, index_t point, const Star& star);

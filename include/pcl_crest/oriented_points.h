@@ -22,13 +22,21 @@ struct PointView {
   std::size_t size;
 };
 
+/** \brief Squared distances that differ by less than this part are equal. The equal
+ * steps of a scanner or mesher are not quite equal in a file of six digits, nor in
+ * floats, and less so after a change of unit: which is the shorter must not depend on
+ * that.
+ */
+constexpr double EQUIDISTANT = 1e-3;
+
 /** \brief The points that the stages work on: finite, with unit normals, without
  * coincident points, in an order that depends on their positions alone.
  *
  * The order (along a Morton curve) makes every later tie break by index independent
  * of the order of the input, and keeps neighbours close in memory. Coincident points
  * are one sample of the surface: k neighbours at distance zero would tell nothing of
- * its shape. Such a sample has the mean of their normals.
+ * its shape. Such a sample has the mean of their normals, and is invalid where these
+ * cancel out.
  */
 struct OrientedPoints {
   static constexpr index_t INVALID = -1;
@@ -47,6 +55,15 @@ struct OrientedPoints {
   {
     return positions.size();
   }
+
+  /** \brief The way from one point to another. In double precision it is exact, and
+   * does not overflow where coordinates are near the largest float.
+   */
+  Eigen::Vector3d
+  edge (index_t from, index_t to) const
+  {
+    return positions[to].cast<double>() - positions[from].cast<double>();
+  }
 };
 
 /** \brief Packs the valid points of a cloud. Invalid are those whose position or
@@ -54,6 +71,21 @@ struct OrientedPoints {
  */
 OrientedPoints
 packOrientedPoints (const PointView& cloud);
+
+/** \brief Finds points of another cloud among those that a surface was packed from, by
+ * their exact positions.
+ * \param[in] cloud, indices the points to find
+ * \param[in] surface, points a cloud and what packOrientedPoints made of it
+ * \param[out] packed for each of the indices its packed point, or INVALID where it is
+ * not finite or the surface has no valid point there \return the first of the indices
+ * whose finite position no point of the surface has, or INVALID if there is none
+ */
+index_t
+locatePoints (const PointView& cloud,
+              const std::vector<index_t>& indices,
+              const PointView& surface,
+              const OrientedPoints& points,
+              std::vector<index_t>& packed);
 
 } // namespace crest
 } // namespace pcl

@@ -2,18 +2,10 @@
 // Paper, section 4.1: generating topological information.
 #pragma once
 
-#include <pcl_crest/oriented_points.h>
-#include <pcl_crest/parameters.h>
-
-#include <functional>
+#include <pcl_crest/neighbor_search.h>
 
 namespace pcl {
 namespace crest {
-
-/** \brief Finds the candidate neighbours of a packed point. Any order; may hold the
- * point itself; must be callable from several threads at once.
- */
-using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& found)>;
 
 /** \brief The points that share an edge with a point: star(p) of the paper. */
 struct Star {
@@ -45,7 +37,8 @@ struct SurfaceGraph {
   std::vector<index_t> neighbors;
   /** 1 where an empty quadrant tells that the surface ends (4.1), else 0 */
   std::vector<std::uint8_t> boundary;
-  /** for each point the mean distance to its 6 nearest neighbours */
+  /** for each point the mean distance to its 6 nearest neighbours (or to fewer, where
+   * the search finds no more), in the cloud's unit */
   std::vector<float> spacing;
   /** mean of these over the points */
   double mean_spacing = 0.0;
@@ -66,12 +59,12 @@ struct SurfaceGraph {
  * its tangent plane (section 4.1), and makes the relation symmetric.
  *
  * Choices where the paper leaves them open:
- * - The first interval is centred on the direction of the nearest neighbour, so that
- *   the graph turns with the cloud; the paper's axes are arbitrary.
+ * - The first interval is centred on the direction of the nearest neighbour (of
+ *   equidistant ones that whose normal differs most), so that the graph turns with the
+ *   cloud; the paper's axes are arbitrary.
  * - A candidate on the border of two intervals belongs to the one nearer to that
  *   direction, so that the graph is the same when all normals are flipped.
- * - Equidistant candidates of an interval are all kept, as in the paper; equal is what
- *   differs by less than 1e-5 of the squared distance, which outlasts rounding.
+ * - EQUIDISTANT candidates of an interval are all kept, as in the paper.
  * - A boundary point is one with as many empty intervals in a row as make a quadrant,
  *   wherever that quadrant begins.
  *

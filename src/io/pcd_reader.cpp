@@ -118,15 +118,36 @@ readHeader (TextScanner& scanner)
   return header;
 }
 
+/** \brief PCL's reader takes what it can of a row and makes up the rest. */
+void
+checkRows (const PcdHeader& header, TextScanner& scanner)
+{
+  std::size_t rows = 0;
+  while (scanner.nextLine()) {
+    if (++rows > header.points)
+      scanner.fail ("expected " + std::to_string (header.points) +
+                    " points as its header announces, found more");
+    if (scanner.words().size() != header.numbers())
+      scanner.fail ("expected " + std::to_string (header.numbers()) +
+                    " numbers, found " + std::to_string (scanner.words().size()));
+    for (const std::string_view word : scanner.words())
+      scanner.number<double> (word, "a number");
+  }
+  if (rows != header.points)
+    throw ReadError ("its header announces " + std::to_string (header.points) +
+                     " points, but " + std::to_string (rows) + " follow");
+}
+
 void
 checkData (const PcdHeader& header, TextScanner& scanner)
 {
+  if (header.coding == "ascii") {
+    checkRows (header, scanner);
+    return;
+  }
   const std::size_t size = header.points * header.pointSize();
   std::size_t needed = 0;
-  if (header.coding == "ascii")
-    // a digit and a blank each, but for the last
-    needed = header.points == 0 ? 0 : 2 * header.numbers() * header.points - 1;
-  else if (header.coding == "binary")
+  if (header.coding == "binary")
     needed = size;
   else if (header.coding == "binary_compressed") {
     // LZF makes at most 264 bytes of 3.

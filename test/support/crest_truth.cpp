@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace oracle {
 
@@ -269,6 +270,11 @@ score (const std::vector<pcl::crest::CrestLine>& lines,
                      cloud[polyline[i]].getVector3fMap().cast<double>(),
                      8);
     }
+  const auto lengthOf = [] (const Trace& trace) {
+    return std::accumulate (trace.lengths.begin(), trace.lengths.end(), 0.0);
+  };
+  if (!all_truth.lengths.empty())
+    result.salient_part = lengthOf (salient_truth) / lengthOf (all_truth);
   result.precision = partNear (drawn, all_truth, tolerance);
   result.recall = partNear (salient_truth, drawn, tolerance);
   return result;

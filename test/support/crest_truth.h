@@ -46,6 +46,8 @@ struct Score {
   /** part of the salient true length that lies within the tolerance of a drawn line */
   double recall = 0.0;
   double drawn_length = 0.0;
+  /** part of the true length that is salient */
+  double salient_part = 0.0;
 };
 
 /** \brief Scores lines of one type. Salient is a true line whose sharpness is at least

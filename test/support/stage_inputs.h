@@ -14,16 +14,24 @@
 
 namespace oracle {
 
+inline pcl::crest::PointView
+viewOf (const pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  return {&cloud[0].x,
+          &cloud[0].normal_x,
+          sizeof (pcl::PointNormal) / sizeof (float),
+          cloud.size()};
+}
+
 inline pcl::crest::OrientedPoints
 pack (const pcl::PointCloud<pcl::PointNormal>& cloud)
 {
-  return pcl::crest::packOrientedPoints ({&cloud[0].x,
-                                          &cloud[0].normal_x,
-                                          sizeof (pcl::PointNormal) / sizeof (float),
-                                          cloud.size()});
+  return pcl::crest::packOrientedPoints (viewOf (cloud));
 }
 
-/** \brief The k closest points by looking at all of them, the query point included. */
+/** \brief The k closest points by looking at all of them, the query point and those as
+ * far away as the k-th included.
+ */
 inline pcl::crest::NeighborSearch
 bruteForceSearch (const pcl::crest::OrientedPoints& points, std::size_t k)
 {
@@ -33,12 +41,13 @@ bruteForceSearch (const pcl::crest::OrientedPoints& points, std::size_t k)
       all.emplace_back (
           (points.positions[i] - points.positions[query]).cast<double>().squaredNorm(),
           static_cast<pcl::index_t> (i));
-    const std::size_t count = std::min (k, all.size());
-    std::partial_sort (
-        all.begin(), all.begin() + static_cast<std::ptrdiff_t> (count), all.end());
+    std::sort (all.begin(), all.end());
+    const double limit =
+        all[std::min (k, all.size()) - 1].first * (1.0 + pcl::crest::EQUIDISTANT);
     found.clear();
-    for (std::size_t i = 0; i < count; ++i)
-      found.push_back (all[i].second);
+    for (const auto& [squared_distance, point] : all)
+      if (squared_distance <= limit)
+        found.push_back (point);
   };
 }
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
-#include <pcl_crest/neighbor_search.h>
+#include <pcl_crest/impl/neighbor_search.hpp>
 
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/features/impl/feature.hpp>
+#include <pcl/search/organized.h>
 #include <pcl/conversions.h>
 
-#include <array>
 #include <atomic>
 #include <limits>
-#include <map>
 
 namespace pcl {
 
@@ -54,52 +53,34 @@ template <typename PointInT, typename PointOutT>
 bool
 CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
 {
-  if (tree_->getInputCloud() == surface_)
-    return true;
+  const auto refuse = [this] (const std::string& why) {
+    PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), why.c_str());
+    this->deinitCompute();
+    return false;
+  };
   if (surface_->is_dense)
     for (std::size_t i = 0; i < surface_->size(); ++i)
-      if (!pcl::isXYZFinite ((*surface_)[i])) {
-        PCL_ERROR (
-            "[pcl::%s::compute] Point %zu is not finite, though is_dense of its "
-            "cloud is true: set it to false to use a search method of your own.\n",
-            getClassName().c_str(),
-            i);
-        this->deinitCompute();
-        return false;
-      }
+      if (!pcl::isXYZFinite ((*surface_)[i]))
+        return refuse (
+            "Point " + std::to_string (i) +
+            " is not finite, though is_dense of its cloud is true: set it to "
+            "false to use a search method of your own");
   tree_->setInputCloud (surface_);
+  const auto* const organized =
+      dynamic_cast<const pcl::search::OrganizedNeighbor<PointInT>*> (tree_.get());
+  if (organized != nullptr && !organized->isValid())
+    return refuse (
+        "OrganizedNeighbor cannot search this cloud, which is not the image of "
+        "a projective device: leave the search method away, or set a KdTree");
   return true;
 }
 
 template <typename PointInT, typename PointOutT>
-bool
-CrestLineEstimation<PointInT, PointOutT>::locateInSurface (pcl::Indices& places) const
+crest::PointView
+CrestLineEstimation<PointInT, PointOutT>::viewOf (const PointCloudIn& cloud)
 {
-  places = *indices_;
-  if (surface_ == input_)
-    return true;
-
-  const auto key = [] (const PointInT& p) {
-    return std::array<float, 3>{p.x, p.y, p.z};
-  };
-  std::map<std::array<float, 3>, index_t> place_of;
-  for (std::size_t i = 0; i < surface_->size(); ++i)
-    if (pcl::isXYZFinite ((*surface_)[i]))
-      place_of.emplace (key ((*surface_)[i]), static_cast<index_t> (i));
-  for (index_t& place : places) {
-    const PointInT& point = (*input_)[place];
-    const auto found =
-        pcl::isXYZFinite (point) ? place_of.find (key (point)) : place_of.end();
-    if (found == place_of.end() && pcl::isXYZFinite (point)) {
-      PCL_ERROR ("[pcl::%s::compute] Input point %d is not a point of the search "
-                 "surface, so that it has no place in the graph of its samples.\n",
-                 getClassName().c_str(),
-                 static_cast<int> (place));
-      return false;
-    }
-    place = found == place_of.end() ? -1 : found->second;
-  }
-  return true;
+  const PointInT& first = cloud.front();
+  return {&first.x, &first.normal_x, sizeof (PointInT) / sizeof (float), cloud.size()};
 }
 
 template <typename PointInT, typename PointOutT>
@@ -110,25 +91,34 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
     output.clear();
     output.width = output.height = 0;
   };
-  pcl::Indices places;
-  if (!locateInSurface (places))
-    return fail();
-
   const crest::Parameters parameters = getParameters();
   std::vector<crest::StageTime> times;
   crest::Stopwatch watch (times);
-  const PointInT& first = surface_->front();
-  const crest::OrientedPoints points =
-      crest::packOrientedPoints ({&first.x,
-                                  &first.normal_x,
-                                  sizeof (PointInT) / sizeof (float),
-                                  surface_->size()});
+  const crest::OrientedPoints points = crest::packOrientedPoints (viewOf (*surface_));
+  pcl::Indices packed_indices;
+  if (surface_ == input_)
+    for (const index_t i : *indices_)
+      packed_indices.push_back (points.packed_index[i]);
+  else {
+    const index_t stranger = crest::locatePoints (
+        viewOf (*input_), *indices_, viewOf (*surface_), points, packed_indices);
+    if (stranger >= 0) {
+      PCL_ERROR ("[pcl::%s::compute] Input point %d is not a point of the search "
+                 "surface, so that it has no place in the graph of its samples.\n",
+                 getClassName().c_str(),
+                 static_cast<int> (stranger));
+      return fail();
+    }
+  }
   watch.stageDone ("packing");
 
   std::atomic<bool> stale_search{false};
   const crest::NeighborSearch given_search = [&] (index_t point, pcl::Indices& found) {
-    crest::findNeighbors<PointInT> (
-        *tree_, (*surface_)[points.cloud_index[point]], parameters, found);
+    crest::findNeighbors<PointInT> (*tree_,
+                                    (*surface_)[points.cloud_index[point]],
+                                    parameters.k,
+                                    parameters.radius,
+                                    found);
     std::size_t kept = 0;
     for (const index_t i : found)
       if (i < 0 || static_cast<std::size_t> (i) >= surface_->size())
@@ -145,7 +135,7 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
   if (stale_search) {
     PCL_ERROR (
         "[pcl::%s::compute] The search method returned points outside the cloud: "
-        "the cloud has changed since the search method's setInputCloud.\n",
+        "it does not search the cloud that it was given.\n",
         getClassName().c_str());
     return fail();
   }
@@ -156,19 +146,23 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
   const std::vector<crest::Label> labels =
       crest::labelPoints (shape, crests, parameters.wanted);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  result_.curvatures.reserve (places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const index_t packed =
-        places[i] < 0 ? crest::OrientedPoints::INVALID : points.packed_index[places[i]];
+  pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures = result_.curvatures;
+  curvatures.header = output.header;
+  for (std::size_t i = 0; i < packed_indices.size(); ++i) {
+    const index_t packed = packed_indices[i];
     pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
     output[i].label = packed < 0 ? crest::LABEL_INVALID : labels[packed];
     pcl::PrincipalCurvatures curvature{nan, nan, nan, nan, nan};
-    if (packed >= 0 && shape.curvature[packed].valid) {
+    if (output[i].label != crest::LABEL_INVALID) {
       const crest::PrincipalCurvature& c = shape.curvature[packed];
       curvature = {c.t1.x(), c.t1.y(), c.t1.z(), c.k1, c.k2};
     }
-    result_.curvatures.push_back (curvature);
+    else
+      curvatures.is_dense = false;
+    curvatures.push_back (curvature);
   }
+  curvatures.width = output.width;
+  curvatures.height = output.height;
   result_.lines = std::move (crests.lines);
   for (crest::CrestLine& line : result_.lines)
     for (std::vector<index_t>& polyline : line.polylines)
@@ -181,6 +175,7 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
         (*line_cloud)[point].getVector3fMap() =
             crests.positions[points.packed_index[point]];
   result_.line_cloud = line_cloud;
+  result_.complete = true;
   result_.statistics = {
       shape.graph.mean_spacing, points.extent, std::move (crests.sizes), times};
 }
@@ -192,7 +187,7 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
 {
   lines = pcl::PolygonMesh();
   compute (labels);
-  if (labels.empty())
+  if (!result_.complete)
     return;
   pcl::toPCLPointCloud2 (*result_.line_cloud, lines.cloud);
   lines.header = lines.cloud.header;
@@ -207,4 +202,4 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
 } // namespace pcl
 
 #define PCL_INSTANTIATE_CrestLineEstimation(T, OutT)                                   \
-  template class PCL_EXPORTS pcl::CrestLineEstimation<T, OutT>;
+  template class PCL_EXPORTS pcl::CrestLineEstimation<T, OutT>
