@@ -149,6 +149,7 @@ public:
   packed (const std::vector<int>& path) const
   {
     std::vector<index_t> result;
+    result.reserve (path.size());
     for (const int v : path)
       result.push_back (vertices_[v]);
     return result;

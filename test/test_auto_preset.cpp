@@ -366,7 +366,7 @@ TEST_F (AutoInvariance, Rotation)
   const Eigen::Quaternionf turn =
       Eigen::Quaternionf (0.2F, 0.4F, -0.7F, 0.5F).normalized();
   const auto turned = [] (const Cloud& cloud, const Eigen::Quaternionf& by) {
-    const Cloud::Ptr result = pcl::make_shared<Cloud> (cloud);
+    Cloud::Ptr result = pcl::make_shared<Cloud> (cloud);
     for (pcl::PointNormal& point : *result) {
       point.getVector3fMap() = (by * point.getVector3fMap()).eval();
       point.getNormalVector3fMap() = (by * point.getNormalVector3fMap()).eval();

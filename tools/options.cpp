@@ -49,7 +49,7 @@ addPerType (Options& options,
                "N",
                withDefault (help, numbers.ridge),
                [&numbers] (const std::string& value) {
-                 const std::string wanted = takeNumber (value, numbers.ridge);
+                 std::string wanted = takeNumber (value, numbers.ridge);
                  numbers.valley = numbers.ridge;
                  return wanted;
                });

@@ -20,7 +20,7 @@ withNoise (const pcl::PointCloud<pcl::PointNormal>& exact,
            double standard_deviation,
            unsigned seed = 1)
 {
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>> (exact);
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>> (exact);
   std::mt19937 random (seed);
   std::normal_distribution<double> noise (0.0, 1.0);
   for (pcl::PointNormal& point : *cloud)
