@@ -3,7 +3,10 @@
 # for pkg-config, and the package's manifest where ROS tools look for it.
 include(CMakePackageConfigHelpers)
 
-install(DIRECTORY include/pcl_crest DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(NOT PCL_CREST_BUILD_TOOLS)
+  set(without_tools PATTERN io EXCLUDE PATTERN visualization EXCLUDE)
+endif()
+install(DIRECTORY include/pcl_crest DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${without_tools})
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_crest)
 configure_package_config_file(cmake/pcl_crestConfig.cmake.in pcl_crestConfig.cmake

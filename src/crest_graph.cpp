@@ -2,7 +2,6 @@
 #include <pcl_crest/crest_graph.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -39,17 +38,6 @@ public:
 private:
   std::vector<index_t> parent_;
 };
-
-/** \brief Keeps 10 binary digits, so that lengths that are about EQUIDISTANT are most
- * often the same number, and their order is that of the points.
- */
-double
-roundedForTies (double x)
-{
-  int exponent = 0;
-  const double mantissa = std::frexp (x, &exponent);
-  return std::ldexp (std::round (std::ldexp (mantissa, 10)), exponent - 10);
-}
 
 EdgeType
 edgeType (Membership a, Membership b)
@@ -93,7 +81,7 @@ crestEdges (const OrientedPoints& points,
         edges.push_back ({a,
                           b,
                           edgeType (membership[a], membership[b]),
-                          roundedForTies (points.edge (a, b).squaredNorm())});
+                          points.edge (a, b).squaredNorm()});
   }
   return edges;
 }

@@ -31,8 +31,9 @@ struct Projected {
   index_t point;
   /** from the point to it, in the tangent plane */
   Eigen::Vector3d edge;
-  /** of the angle between the two normals */
-  double normal_cosine;
+  /** squared length of the difference of the two normals, which rounding changes less
+   * than their cosine */
+  double normal_difference;
 };
 
 /** \brief What the filter leaves of one block of points. */
@@ -112,15 +113,17 @@ private:
   {
     projected_.clear();
     for (const Candidate& candidate : candidates_) {
-      const double cosine = points_.normals[candidate.point].cast<double>().dot (n);
-      if (cosine < min_cosine_)
+      const Eigen::Vector3d m = points_.normals[candidate.point].cast<double>();
+      if (m.dot (n) < min_cosine_)
         continue;
       const Eigen::Vector3d e = points_.edge (point, candidate.point);
       const Eigen::Vector3d projected = e - e.dot (n) * n;
       // Straight above or below the point there is no polar angle.
       if (projected.squaredNorm() > 1e-6 * candidate.squared_distance)
-        projected_.push_back (
-            {candidate.squared_distance, candidate.point, projected, cosine});
+        projected_.push_back ({candidate.squared_distance,
+                               candidate.point,
+                               projected,
+                               (m - n).squaredNorm()});
     }
   }
 
@@ -132,15 +135,15 @@ private:
   axis () const
   {
     const double limit = projected_.front().squared_distance * (1.0 + EQUIDISTANT);
-    double most_different = 2.0;
+    double most = 0.0;
     for (const Projected& candidate : projected_)
       if (candidate.squared_distance <= limit)
-        most_different = std::min (most_different, candidate.normal_cosine);
-    constexpr double EQUAL_COSINE = 1e-6;
+        most = std::max (most, candidate.normal_difference);
+    constexpr double ROUNDING = 1e-12;
     const Projected* chosen = nullptr;
     for (const Projected& candidate : projected_)
       if (candidate.squared_distance <= limit &&
-          candidate.normal_cosine <= most_different + EQUAL_COSINE &&
+          candidate.normal_difference * (1.0 + EQUIDISTANT) + ROUNDING >= most &&
           (chosen == nullptr || candidate.point < chosen->point))
         chosen = &candidate;
     return chosen->edge.normalized();

@@ -36,8 +36,8 @@ protected:
     cloud_ = input.points;
   }
 
-  std::vector<std::uint32_t>
-  labelsAt (double m, const Cloud::ConstPtr& cloud, Estimation& estimation) const
+  static std::vector<std::uint32_t>
+  labelsAt (double m, const Cloud::ConstPtr& cloud, Estimation& estimation)
   {
     estimation.setInputCloud (cloud);
     estimation.setMaximality (m);

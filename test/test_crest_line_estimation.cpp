@@ -514,7 +514,7 @@ TEST (Feature, OrganizedCloudWithHoles)
 TEST (Feature, DegenerateCloudsGiveACorrectEmptyResult)
 {
   const auto cloudOf = [] (std::size_t size, const auto& position) {
-    const Cloud::Ptr cloud = pcl::make_shared<Cloud>();
+    Cloud::Ptr cloud = pcl::make_shared<Cloud>();
     for (std::size_t i = 0; i < size; ++i) {
       pcl::PointNormal point;
       point.getVector3fMap() = position (static_cast<float> (i));

@@ -183,10 +183,9 @@ TEST (Curvature, PointsOfOneLineAreOnOneLineHoweverItLies)
   for (int i = 0; i < 500; ++i) {
     const Eigen::Vector3d through (any (random), any (random), any (random));
     const Eigen::Vector3d along (any (random), any (random), any (random));
-    std::vector<Eigen::Vector3f> positions;
-    for (int j = 0; j < 9; ++j)
-      positions.emplace_back (
-          (through + 1e-3 * any (random) * along.normalized()).cast<float>());
+    std::vector<Eigen::Vector3f> positions (9);
+    for (Eigen::Vector3f& position : positions)
+      position = (through + 1e-3 * any (random) * along.normalized()).cast<float>();
     OrientedPoints points = oracle::pointsAt (positions);
     points.normals[0] = along.unitOrthogonal().cast<float>();
     const pcl::Indices star{1, 2, 3, 4, 5, 6, 7, 8};

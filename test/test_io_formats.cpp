@@ -40,8 +40,8 @@ protected:
   const oracle::TemporaryDirectory directory_;
   const oracle::TriangleMesh mesh_ = oracle::cubeSphere (4);
 
-  InputCloud
-  read (const std::string& file) const
+  static InputCloud
+  read (const std::string& file)
   {
     InputCloud cloud;
     std::string error;
@@ -172,8 +172,10 @@ TEST_F (IoFormats, PcdWithoutNormals)
 TEST_F (IoFormats, PcdStaysOrganized)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud (7, 5);
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    cloud[i] = {static_cast<float> (i % 7), static_cast<float> (i / 7), 1.0F};
+  for (std::uint32_t row = 0; row < cloud.height; ++row)
+    for (std::uint32_t column = 0; column < cloud.width; ++column)
+      cloud.at (column,
+                row) = {static_cast<float> (column), static_cast<float> (row), 1.0F};
   cloud.at (3, 2).z = std::numeric_limits<float>::quiet_NaN();
   cloud.is_dense = true;
   cloud.sensor_origin_ = Eigen::Vector4f (3.0F, 2.0F, -9.0F, 0.0F);

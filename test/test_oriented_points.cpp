@@ -14,7 +14,7 @@ using namespace pcl::crest;
 namespace {
 
 pcl::PointNormal
-at (float x, float y, float z, Eigen::Vector3f normal = Eigen::Vector3f::UnitZ())
+at (float x, float y, float z, const Eigen::Vector3f& normal = Eigen::Vector3f::UnitZ())
 {
   pcl::PointNormal point;
   point.getVector3fMap() = Eigen::Vector3f (x, y, z);

@@ -221,7 +221,7 @@ protected:
   /** \brief The neighbours of the first point where those around it have normals turned
    * by 0, 45, 90 and 100 degrees, with a limit to the angle.
    */
-  std::set<pcl::index_t>
+  static std::set<pcl::index_t>
   starWithLimit (double degrees)
   {
     OrientedPoints points =

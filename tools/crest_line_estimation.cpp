@@ -97,6 +97,13 @@ report (const std::vector<CrestLine>& lines, const pcl::PointCloud<pcl::Label>& 
                                 [type] (const CrestLine& l) { return l.type == type; })
               << " lines\n";
   }
+  const auto invalid =
+      std::count_if (labels.begin(), labels.end(), [] (const pcl::Label& l) {
+        return l.label == LABEL_INVALID;
+      });
+  if (invalid != 0)
+    std::cout << "Invalid: " << invalid
+              << " points, not finite, without a normal or with too few neighbours\n";
 }
 
 void

@@ -21,8 +21,7 @@ struct CrestEdge {
   index_t a;
   index_t b;
   EdgeType type;
-  /** squared length, rounded to about EQUIDISTANT, the first tie break among edges of
-   * one type */
+  /** squared length, the first tie break among edges of one type */
   double squared_length;
 };
 

@@ -39,6 +39,10 @@ namespace pcl {
  * Mistakes are reported with PCL_ERROR and leave all outputs empty. A cloud without
  * any usable point is no mistake: its labels are all crest::LABEL_INVALID.
  *
+ * Compiled into the library for pcl::Label and PointNormal, PointXYZINormal,
+ * PointXYZRGBNormal, PointXYZLNormal and PointSurfel; for other types include
+ * pcl_crest/impl/crest_line_estimation.hpp, or define PCL_NO_PRECOMPILE.
+ *
  * \tparam PointInT a point type with xyz and normal
  * \tparam PointOutT a point type with a label; fields it shares with PointInT are
  * copied

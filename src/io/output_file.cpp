@@ -72,6 +72,11 @@ public:
     }
     if (!good)
       return;
+    // A file that was there keeps the permissions that its owner gave it.
+    std::error_code none;
+    const fs::file_status before = fs::status (target_, none);
+    if (fs::exists (before))
+      fs::permissions (path_, before.permissions(), none);
     if (std::rename (path_.c_str(), target_.c_str()) != 0)
       failure_ = std::strerror (errno);
     else

@@ -153,8 +153,8 @@ checkData (const PcdHeader& header, TextScanner& scanner)
     // LZF makes at most 264 bytes of 3.
     constexpr std::size_t BEST_RATIO = 88;
     const std::string_view sizes = scanner.bytes (8, "the size of the data");
-    needed = decodeAs<std::uint32_t> (&sizes[0], false);
-    const std::size_t inflated = decodeAs<std::uint32_t> (&sizes[4], false);
+    needed = decodeAs<std::uint32_t> (sizes.data(), false);
+    const std::size_t inflated = decodeAs<std::uint32_t> (sizes.data() + 4, false);
     if (inflated != size || inflated / BEST_RATIO > needed)
       throw ReadError ("its compressed data do not make up the " +
                        std::to_string (header.points) + " points that it announces");
@@ -230,7 +230,7 @@ readPcd (const std::string& file, const std::string& text)
   content.points->reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
     const auto* const point =
-        reinterpret_cast<const char*> (&data.data[i * data.point_step]);
+        reinterpret_cast<const char*> (data.data.data() + i * data.point_step);
     double values[6];
     for (std::size_t j = 0; j < numbers; ++j)
       values[j] =
