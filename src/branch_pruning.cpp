@@ -3,6 +3,7 @@
 
 #include "forest.h"
 
+#include <algorithm>
 #include <functional>
 #include <queue>
 #include <tuple>
@@ -16,7 +17,8 @@ namespace {
  * longer since, never shorter.
  */
 struct Branch {
-  std::size_t size;
+  /** of what decides, points or a part of the limit */
+  double size;
   double length;
   int end;
 
@@ -27,21 +29,28 @@ struct Branch {
   }
 };
 
-/** \brief Prunes the branches of up to `largest` points, shortest first. */
+/** \brief Prunes the branches of up to the largest size, smallest first.
+ * \param[in] size the size of a branch, from its points with the junction's at the end
+ * \param[in] most points that a branch of the largest size can have without it
+ */
+template <typename Size>
 void
-prune (const OrientedPoints& points, std::size_t largest, Forest& forest)
+prune (const OrientedPoints& points,
+       double largest,
+       std::size_t most,
+       const Size& size,
+       Forest& forest)
 {
   // The path of a branch ends with its junction, and has one point more if too long.
   const auto pathOf = [&] (int end) {
-    return forest.walk (end, forest.neighbors (end)[0], largest + 2);
+    return forest.walk (end, forest.neighbors (end)[0], most + 2);
   };
   const auto isShortBranch = [&] (const std::vector<int>& path) {
-    return forest.isJunction (path.back()) && path.size() <= largest + 1;
+    return forest.isJunction (path.back()) && size (path) <= largest;
   };
   std::priority_queue<Branch, std::vector<Branch>, std::greater<>> branches;
   const auto push = [&] (int end, const std::vector<int>& path) {
-    branches.push (
-        {path.size() - 1, polylineLength (points, forest.packed (path)), end});
+    branches.push ({size (path), polylineLength (points, forest.packed (path)), end});
   };
 
   for (int v = 0; v < forest.size(); ++v)
@@ -56,7 +65,7 @@ prune (const OrientedPoints& points, std::size_t largest, Forest& forest)
     const std::vector<int> path = pathOf (shortest.end);
     if (!isShortBranch (path))
       continue;
-    if (path.size() - 1 > shortest.size) {
+    if (size (path) > shortest.size) {
       push (shortest.end, path);
       continue;
     }
@@ -73,8 +82,26 @@ pruneBranches (const OrientedPoints& points,
                std::size_t largest)
 {
   Forest trees (forest);
-  prune (points, std::max<std::size_t> (1, largest), trees);
+  const auto count = [] (const std::vector<int>& path) {
+    return static_cast<double> (path.size() - 1);
+  };
+  const std::size_t most = std::max<std::size_t> (1, largest);
+  prune (points, static_cast<double> (most), most, count, trees);
   return trees.remaining (forest);
+}
+
+std::vector<CrestEdge>
+pruneShortBranches (const OrientedPoints& points,
+                    const std::vector<CrestEdge>& edges,
+                    const std::vector<float>& limits)
+{
+  Forest graph (edges);
+  const auto part_of_limit = [&] (const std::vector<int>& path) {
+    return polylineLength (points, graph.packed (path)) /
+           limits[graph.packed (path.back())];
+  };
+  prune (points, 1.0, points.size(), part_of_limit, graph);
+  return graph.remaining (edges);
 }
 
 } // namespace crest

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/branch_pruning.h>
 #include <pcl_crest/crest_extraction.h>
+#include <pcl_crest/crest_feet.h>
+#include <pcl_crest/crest_loops.h>
+#include <pcl_crest/crest_significance.h>
+#include <pcl_crest/line_measures.h>
 
 #include <algorithm>
 #include <iterator>
@@ -8,6 +12,76 @@
 
 namespace pcl {
 namespace crest {
+
+namespace {
+
+/** \brief Sections 4.4 to 4.7 for one type, as in the paper. */
+std::vector<CrestLine>
+linesOfPaper (const OrientedPoints& points,
+              const SurfaceShape& shape,
+              const std::vector<CrestType>& crest_points,
+              CrestType type,
+              const Parameters& parameters,
+              Stopwatch& watch)
+{
+  const std::vector<Membership> members =
+      growRegions (shape.graph, shape.curvature, crest_points, type);
+  watch.stageDone ("region growing");
+  const std::vector<CrestEdge> forest =
+      minimumSpanningForest (points.size(), crestEdges (points, shape.graph, members));
+  watch.stageDone ("spanning forest");
+  const auto largest_branch = static_cast<std::size_t> (parameters.prune);
+  const std::vector<CrestEdge> pruned = pruneBranches (points, forest, largest_branch);
+  watch.stageDone ("pruning");
+  return traceLines (points, shape.graph, members, pruned, type, largest_branch);
+}
+
+/** \brief For each point the radius that it was fitted over, times a factor. */
+std::vector<float>
+radii (const std::vector<CrestProfile>& profiles, float factor)
+{
+  std::vector<float> result;
+  result.reserve (profiles.size());
+  for (const CrestProfile& profile : profiles)
+    result.push_back (factor * profile.radius);
+  return result;
+}
+
+/** \brief The same stages for points moved to their crests, which keep what profiles
+ * and statistics bear out.
+ */
+std::vector<CrestLine>
+significantLinesOf (const OrientedPoints& points,
+                    const SurfaceShape& shape,
+                    const CrestEvidence& evidence,
+                    CrestType type,
+                    const Parameters& parameters,
+                    Stopwatch& watch)
+{
+  // Within its fit's radius a crest has one position: shorter branches and loops are
+  // the spread of that.
+  constexpr float LONGEST_BRANCH = 1.5F;
+  constexpr float LONGEST_CUT_LOOP = 6.0F;
+
+  std::vector<Membership> members =
+      growRegions (shape.graph, shape.curvature, evidence.crest_points, type);
+  withdrawGrowth (shape.graph, shape.profiles, type, members);
+  watch.stageDone ("region growing");
+  const std::vector<CrestEdge> edges = admissibleEdges (
+      points, shape.graph, shape.profiles, crestEdges (points, shape.graph, members));
+  std::vector<CrestEdge> net = minimumSpanningForest (points.size(), edges);
+  watch.stageDone ("spanning forest");
+  net = closeLoops (points, edges, radii (shape.profiles, LONGEST_CUT_LOOP), net);
+  watch.stageDone ("loops");
+  const std::vector<float> branch_limits = radii (shape.profiles, LONGEST_BRANCH);
+  net = pruneShortBranches (points, net, branch_limits);
+  watch.stageDone ("pruning");
+  net = significantBranches (points, evidence, net, branch_limits, parameters.angle);
+  return significantLines (
+      points, evidence, traceLines (points, net, type), parameters);
+}
+
+} // namespace
 
 SurfaceShape
 analyzeSurface (const OrientedPoints& points,
@@ -18,7 +92,13 @@ analyzeSurface (const OrientedPoints& points,
   Stopwatch watch (shape.times);
   shape.graph = buildSurfaceGraph (points, search, parameters);
   watch.stageDone ("surface graph");
-  shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
+  if (parameters.preset == Preset::PAPER)
+    shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
+  else {
+    shape.profiles = profileCrests (points, shape.graph, parameters.threads);
+    for (const CrestProfile& profile : shape.profiles)
+      shape.curvature.push_back (profile.curvature);
+  }
   watch.stageDone ("curvature");
   return shape;
 }
@@ -30,33 +110,44 @@ extractCrests (const OrientedPoints& points,
 {
   Crests crests;
   Stopwatch watch (crests.times);
-  crests.points = classifyCrestPoints (points,
-                                       shape.graph,
-                                       shape.curvature,
-                                       absoluteMaximality (points, parameters),
-                                       parameters.threads);
-  watch.stageDone ("crest points");
-  for (const CrestType type : CREST_TYPES) {
-    if (!parameters.wanted[type])
-      continue;
-    const std::vector<Membership> members =
-        growRegions (shape.graph, shape.curvature, crests.points, type);
-    watch.stageDone ("region growing");
-    const std::vector<CrestEdge> forest = minimumSpanningForest (
-        points.size(), crestEdges (points, shape.graph, members));
-    watch.stageDone ("spanning forest");
-    const auto largest_branch = static_cast<std::size_t> (parameters.prune);
-    const std::vector<CrestEdge> pruned =
-        pruneBranches (points, forest, largest_branch);
-    watch.stageDone ("pruning");
-    std::vector<CrestLine> lines =
-        traceLines (points, shape.graph, members, pruned, type, largest_branch);
+  const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {
     crests.sizes[type] = lineSizes (lines);
     lines = removeSmallLines (std::move (lines),
                               static_cast<std::size_t> (parameters.min_size[type]));
     std::move (lines.begin(), lines.end(), std::back_inserter (crests.lines));
     watch.stageDone ("lines");
+  };
+
+  OrientedPoints where = points;
+  if (parameters.preset == Preset::PAPER) {
+    crests.points = classifyCrestPoints (points,
+                                         shape.graph,
+                                         shape.curvature,
+                                         absoluteMaximality (points, parameters),
+                                         parameters.threads);
+    watch.stageDone ("crest points");
+    for (const CrestType type : CREST_TYPES)
+      if (parameters.wanted[type])
+        take (type,
+              linesOfPaper (points, shape, crests.points, type, parameters, watch));
   }
+  else {
+    crests.points =
+        classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
+    const CrestEvidence evidence = gatherEvidence (
+        points, shape.graph, shape.profiles, crests.points, parameters.threads);
+    where = moveToCrests (points, shape.graph, shape.profiles);
+    watch.stageDone ("crest points");
+    for (const CrestType type : CREST_TYPES)
+      if (parameters.wanted[type])
+        take (type,
+              significantLinesOf (where, shape, evidence, type, parameters, watch));
+    measureProfiles (shape.profiles, crests.points, crests.lines);
+    if (parameters.positions == Positions::SAMPLES)
+      where = points;
+  }
+  measureLines (where, shape.graph, shape.curvature, crests.lines);
+  crests.positions = std::move (where.positions);
   return crests;
 }
 

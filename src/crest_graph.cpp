@@ -86,6 +86,58 @@ crestEdges (const OrientedPoints& points,
   return edges;
 }
 
+void
+withdrawGrowth (const SurfaceGraph& graph,
+                const std::vector<CrestProfile>& profiles,
+                CrestType type,
+                std::vector<Membership>& membership)
+{
+  constexpr double FARTHEST_FOOT = 3.0;
+  for (std::size_t i = 0; i < membership.size(); ++i) {
+    const CrestProfile& profile = profiles[i];
+    const bool own_sign = profile.curvature.valid &&
+                          (profile.curvature.k1 > 0.0F) == (type == CrestType::RIDGE);
+    if (membership[i] == Membership::GROWN &&
+        !(own_sign && std::abs (profile.foot) < FARTHEST_FOOT * graph.spacing[i]))
+      membership[i] = Membership::OUTSIDE;
+  }
+}
+
+std::vector<CrestEdge>
+admissibleEdges (const OrientedPoints& points,
+                 const SurfaceGraph& graph,
+                 const std::vector<CrestProfile>& profiles,
+                 std::vector<CrestEdge> edges)
+{
+  // In spacings. Two points at one place of a crest are nearer than SHORTEST_RUNG to
+  // each other, and their direction means nothing.
+  constexpr double LONGEST = 3.0;
+  constexpr double SHORTEST_RUNG = 0.8;
+  // A rung runs along t1 of both its ends; where an end was but grown, t1 of one is
+  // enough if it is clear.
+  constexpr double RUNG_COSINE = 0.8;
+  constexpr double CLEAR_RUNG_COSINE = 0.95;
+
+  const auto inadmissible = [&] (const CrestEdge& edge) {
+    const Eigen::Vector3d e = points.edge (edge.a, edge.b);
+    const double length = e.norm();
+    const double spacing = 0.5 * (graph.spacing[edge.a] + graph.spacing[edge.b]);
+    if (length > LONGEST * spacing)
+      return true;
+    if (length <= SHORTEST_RUNG * spacing)
+      return false;
+    const auto cosine = [&] (index_t i) {
+      return std::abs (e.dot (profiles[i].curvature.t1.cast<double>())) / length;
+    };
+    const double a = cosine (edge.a);
+    const double b = cosine (edge.b);
+    return std::min (a, b) > RUNG_COSINE ||
+           (edge.type != EdgeType::A && std::max (a, b) > CLEAR_RUNG_COSINE);
+  };
+  edges.erase (std::remove_if (edges.begin(), edges.end(), inadmissible), edges.end());
+  return edges;
+}
+
 std::vector<CrestEdge>
 minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges)
 {

@@ -12,37 +12,6 @@ namespace crest {
 
 namespace {
 
-/** \brief The points that hang together with `start`, which it marks as seen. */
-std::vector<int>
-component (const Forest& forest, int start, std::vector<bool>& seen)
-{
-  std::vector<int> found{start};
-  seen[start] = true;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    for (const int w : forest.neighbors (found[i]))
-      if (!seen[w]) {
-        seen[w] = true;
-        found.push_back (w);
-      }
-  std::sort (found.begin(), found.end());
-  return found;
-}
-
-/** \brief The branches of a tree, each from the lower of its two end points. */
-std::vector<std::vector<int>>
-branchesOf (const Forest& forest, const std::vector<int>& tree)
-{
-  std::vector<std::vector<int>> branches;
-  for (const int v : tree)
-    if (forest.degree (v) != 2)
-      for (const int w : forest.neighbors (v)) {
-        std::vector<int> path = forest.walk (v, w, tree.size());
-        if (path.back() > v)
-          branches.push_back (std::move (path));
-      }
-  return branches;
-}
-
 /** \brief The shortest way back from the last point of a line to the first, through
  * members that are not on it: the points in between, if `most` of them are enough.
  */
@@ -74,8 +43,10 @@ wayBack (const SurfaceGraph& graph,
   return std::nullopt;
 }
 
-/** \brief Closes a line without junction if the spanning tree has cut a loop there. */
-void
+/** \brief Closes a line without junction if the spanning tree has cut a loop there;
+ * returns whether it did.
+ */
+bool
 closeLoop (const SurfaceGraph& graph,
            const std::vector<Membership>& membership,
            std::size_t largest_branch,
@@ -83,21 +54,67 @@ closeLoop (const SurfaceGraph& graph,
 {
   if (line.polylines.size() != 1 ||
       line.size <= std::max<std::size_t> (2, largest_branch))
-    return;
+    return false;
   // A straight line, too, has a way back beside itself, but not with a quarter of its
   // points.
   std::vector<index_t>& points = line.polylines.front();
   const auto way =
       wayBack (graph, membership, points, std::min (largest_branch, line.size / 4));
   if (!way)
-    return;
+    return false;
   line.closed = true;
   line.size += way->size();
   points.insert (points.end(), way->begin(), way->end());
   points.push_back (points.front());
+  return true;
+}
+
+/** \brief The lines in the order of their lowest points. */
+std::vector<CrestLine>
+followEdges (const OrientedPoints& points,
+             const std::vector<CrestEdge>& edges,
+             CrestType type)
+{
+  const Forest trees (edges);
+  std::vector<CrestLine> lines;
+  std::vector<bool> seen (static_cast<std::size_t> (trees.size()), false);
+  for (int v = 0; v < trees.size(); ++v) {
+    if (seen[v])
+      continue;
+    const std::vector<int> tree = trees.component (v, seen);
+    CrestLine line;
+    line.type = type;
+    line.size = tree.size();
+    for (const std::vector<int>& branch : trees.branches (tree)) {
+      line.polylines.push_back (trees.packed (branch));
+      line.length += polylineLength (points, line.polylines.back());
+    }
+    line.closed = line.polylines.size() == 1 &&
+                  line.polylines[0].front() == line.polylines[0].back();
+    lines.push_back (std::move (line));
+  }
+  return lines;
+}
+
+std::vector<CrestLine>
+sortedBySize (std::vector<CrestLine> lines)
+{
+  std::stable_sort (
+      lines.begin(), lines.end(), [] (const CrestLine& a, const CrestLine& b) {
+        return a.size > b.size;
+      });
+  return lines;
 }
 
 } // namespace
+
+std::vector<CrestLine>
+traceLines (const OrientedPoints& points,
+            const std::vector<CrestEdge>& edges,
+            CrestType type)
+{
+  return sortedBySize (followEdges (points, edges, type));
+}
 
 std::vector<CrestLine>
 traceLines (const OrientedPoints& points,
@@ -107,28 +124,11 @@ traceLines (const OrientedPoints& points,
             CrestType type,
             std::size_t largest_branch)
 {
-  const Forest trees (forest);
-  std::vector<CrestLine> lines;
-  std::vector<bool> seen (static_cast<std::size_t> (trees.size()), false);
-  for (int v = 0; v < trees.size(); ++v) {
-    if (seen[v])
-      continue;
-    const std::vector<int> tree = component (trees, v, seen);
-    CrestLine line;
-    line.type = type;
-    line.size = tree.size();
-    for (const std::vector<int>& branch : branchesOf (trees, tree))
-      line.polylines.push_back (trees.packed (branch));
-    closeLoop (graph, membership, largest_branch, line);
-    for (const std::vector<index_t>& polyline : line.polylines)
-      line.length += polylineLength (points, polyline);
-    lines.push_back (std::move (line));
-  }
-  std::stable_sort (
-      lines.begin(), lines.end(), [] (const CrestLine& a, const CrestLine& b) {
-        return a.size > b.size;
-      });
-  return lines;
+  std::vector<CrestLine> lines = followEdges (points, forest, type);
+  for (CrestLine& line : lines)
+    if (closeLoop (graph, membership, largest_branch, line))
+      line.length = polylineLength (points, line.polylines.front());
+  return sortedBySize (std::move (lines));
 }
 
 LineSizes

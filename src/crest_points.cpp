@@ -73,6 +73,29 @@ classify (const OrientedPoints& points,
              : CrestType::NONE;
 }
 
+CrestType
+classify (const CrestProfile& profile, double spacing, double confidence)
+{
+  // A half spacing is what a sample stands for; the rest is the error of the foot.
+  constexpr double LARGEST_FOOT = 0.6;
+  // An ellipse with axes 1 : .95 has .3 at its vertices. Sharp edges are rounded off to
+  // arcs whose sharpness is lower than that, but then k1 falls by a lot.
+  constexpr double LEAST_SHARPNESS = 0.3;
+  constexpr double LEAST_FALL = 0.25;
+  // Turns by less than 10 degrees (turningAngle).
+  constexpr double LARGEST_SHARPNESS = 115.0;
+
+  const PrincipalCurvature& k = profile.curvature;
+  const bool peak = profile.resolved && profile.peak_z > confidence &&
+                    std::abs (profile.foot) < LARGEST_FOOT * spacing;
+  const bool distinct =
+      profile.sharpness < LARGEST_SHARPNESS &&
+      (profile.sharpness > LEAST_SHARPNESS || profile.fall > LEAST_FALL);
+  if (!peak || !distinct || std::abs (k.k1) < std::abs (k.k2))
+    return CrestType::NONE;
+  return k.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
+}
+
 } // namespace
 
 PerType<double>
@@ -102,6 +125,18 @@ classifyCrestPoints (const OrientedPoints& points,
               classify (points, point, graph.star (point), curvature, maximality);
         }
       });
+  return types;
+}
+
+std::vector<CrestType>
+classifyCrestPoints (const SurfaceGraph& graph,
+                     const std::vector<CrestProfile>& profiles,
+                     double confidence)
+{
+  std::vector<CrestType> types;
+  types.reserve (profiles.size());
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    types.push_back (classify (profiles[i], graph.spacing[i], confidence));
   return types;
 }
 

@@ -18,8 +18,8 @@ polylineLength (const OrientedPoints& points, const std::vector<index_t>& polyli
   return sum;
 }
 
-/** \brief A forest whose edges can be walked along and removed. Points are numbered
- * locally, in the order of their packed indices.
+/** \brief A forest, or with closed loops a graph, whose edges can be walked along,
+ * added and removed. Points are numbered locally, in the order of their packed indices.
  */
 class Forest {
 public:
@@ -71,50 +71,109 @@ public:
     detach (w, v);
   }
 
-  /** \brief Walks from v over w to the next point that does not simply go on, or until
-   * the path has `limit` points.
-   */
-  std::vector<int>
-  walk (int v, int w, std::size_t limit) const
+  void
+  addEdge (index_t a, index_t b)
   {
-    std::vector<int> path{v, w};
-    while (degree (path.back()) == 2 && path.size() < limit) {
-      const std::vector<int>& next = adjacency_[path.back()];
-      path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
-    }
-    return path;
+    attach (local (a), local (b));
+    attach (local (b), local (a));
   }
 
-  std::vector<index_t>
-  packed (const std::vector<int>& path) const
-  {
-    std::vector<index_t> result;
-    for (const int v : path)
-      result.push_back (vertices_[v]);
-    return result;
-  }
-
-  /** \brief Of the edges that the forest was made of those not removed: a removed
-   * branch leaves its points without edges.
-   */
-  std::vector<CrestEdge>
-  remaining (const std::vector<CrestEdge>& edges) const
-  {
-    std::vector<CrestEdge> kept;
-    std::copy_if (
-        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
-          return degree (local (e.a)) > 0 && degree (local (e.b)) > 0;
-        });
-    return kept;
-  }
-
-private:
+  /** \brief The place here of a point that has, or had, edges. */
   int
   local (index_t packed) const
   {
     return static_cast<int> (
         std::lower_bound (vertices_.begin(), vertices_.end(), packed) -
         vertices_.begin());
+  }
+
+  index_t
+  packed (int v) const
+  {
+    return vertices_[v];
+  }
+
+  /** \brief Walks from v over w to the next point that does not simply go on, back to
+   * v, or until the path has `limit` points.
+   */
+  std::vector<int>
+  walk (int v, int w, std::size_t limit) const
+  {
+    std::vector<int> path{v, w};
+    while (degree (path.back()) == 2 && path.back() != v && path.size() < limit) {
+      const std::vector<int>& next = adjacency_[path.back()];
+      path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
+    }
+    return path;
+  }
+
+  /** \brief The points that hang together with `start`, ascending; marks them seen. */
+  std::vector<int>
+  component (int start, std::vector<bool>& seen) const
+  {
+    std::vector<int> found{start};
+    seen[start] = true;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (const int w : adjacency_[found[i]])
+        if (!seen[w]) {
+          seen[w] = true;
+          found.push_back (w);
+        }
+    std::sort (found.begin(), found.end());
+    return found;
+  }
+
+  /** \brief The branches of a component between junctions and ends, each from the lower
+   * of its two end points. A loop without junction is one branch whose first point is
+   * repeated at its end.
+   */
+  std::vector<std::vector<int>>
+  branches (const std::vector<int>& component) const
+  {
+    std::vector<std::vector<int>> found;
+    for (const int v : component)
+      if (degree (v) != 2)
+        for (const int w : adjacency_[v]) {
+          std::vector<int> path = walk (v, w, component.size() + 1);
+          // A loop from a junction to itself is walked in both directions.
+          if (path.back() > v || (path.back() == v && w < path[path.size() - 2]))
+            found.push_back (std::move (path));
+        }
+    if (found.empty() && degree (component.front()) == 2)
+      found.push_back (walk (
+          component.front(), adjacency_[component.front()][0], component.size() + 1));
+    return found;
+  }
+
+  std::vector<index_t>
+  packed (const std::vector<int>& path) const
+  {
+    std::vector<index_t> result;
+    result.reserve (path.size());
+    for (const int v : path)
+      result.push_back (vertices_[v]);
+    return result;
+  }
+
+  /** \brief Of the edges that the forest was made of those not removed. */
+  std::vector<CrestEdge>
+  remaining (const std::vector<CrestEdge>& edges) const
+  {
+    std::vector<CrestEdge> kept;
+    std::copy_if (
+        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
+          const std::vector<int>& stays = neighbors (local (e.a));
+          return std::binary_search (stays.begin(), stays.end(), local (e.b));
+        });
+    return kept;
+  }
+
+private:
+  void
+  attach (int v, int w)
+  {
+    std::vector<int>& neighbors = adjacency_[v];
+    neighbors.insert (std::upper_bound (neighbors.begin(), neighbors.end(), w), w);
   }
 
   void

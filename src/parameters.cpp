@@ -41,6 +41,17 @@ explainInvalid (const Parameters& p)
     if (p.min_size[type] < 0)
       return complain ("S", p.min_size[type], "not negative");
   }
+  const PerType<double> unset = Parameters().maximality;
+  if (p.preset == Preset::AUTO &&
+      (p.maximality.ridge != unset.ridge || p.maximality.valley != unset.valley))
+    return "M belongs to the preset paper: the preset auto has the turning angle, the "
+           "least length and the confidence in its place";
+  if (!(p.angle >= 0.0 && p.angle <= 180.0))
+    return complain ("the turning angle", p.angle, "from 0 to 180 degrees");
+  if (!(p.min_length >= 0.0 && std::isfinite (p.min_length)))
+    return complain ("the least length of a line", p.min_length, "not negative");
+  if (!(p.confidence >= 0.0 && std::isfinite (p.confidence)))
+    return complain ("the confidence", p.confidence, "finite and not negative");
   // Far above any machine; OpenMP may end the process where it cannot have its threads.
   if (p.threads > 1024)
     return complain ("the number of threads", p.threads, "at most 1024");

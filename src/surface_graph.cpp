@@ -193,6 +193,7 @@ filterNeighbors (const OrientedPoints& points,
   SurfaceGraph directed;
   directed.offsets.assign (size + 1, 0);
   directed.boundary.assign (size, 0);
+  directed.spacing.assign (size, 0.0F);
   std::vector<FilteredBlock> blocks (blockCount (size));
   forEachBlock (size,
                 parameters.threads,
@@ -204,7 +205,9 @@ filterNeighbors (const OrientedPoints& points,
                     const auto point = static_cast<index_t> (i);
                     search (point, found);
                     filter.rank (point, found);
-                    filtered.spacing_sum += filter.spacing();
+                    const double spacing = filter.spacing();
+                    directed.spacing[i] = static_cast<float> (spacing);
+                    filtered.spacing_sum += spacing;
                     const std::size_t before = filtered.neighbors.size();
                     directed.boundary[i] =
                         filter.select (point, filtered.neighbors) ? 1 : 0;
@@ -240,6 +243,7 @@ symmetrize (SurfaceGraph&& directed)
   const auto size = static_cast<index_t> (directed.size());
   SurfaceGraph graph;
   graph.boundary = std::move (directed.boundary);
+  graph.spacing = std::move (directed.spacing);
   graph.mean_spacing = directed.mean_spacing;
   graph.offsets.assign (static_cast<std::size_t> (size) + 1, 0);
   for (index_t p = 0; p < size; ++p)

@@ -150,9 +150,11 @@ run (const Files& files, const Parameters& parameters)
   if (!written (writeLabels (files.output, *cloud.points, labels, curvatures, error),
                 files.output))
     return fail (PROGRAM, EXIT_FILE, error);
-  if (!files.lines.empty() &&
-      !written (writeLines (files.lines, *cloud.points, estimation.getLines(), error),
-                files.lines))
+  if (!files.lines.empty() && !written (writeLines (files.lines,
+                                                    *estimation.getLineCloud(),
+                                                    estimation.getLines(),
+                                                    error),
+                                        files.lines))
     return fail (PROGRAM, EXIT_FILE, error);
   if (!files.curvatures.empty() &&
       !written (writeCurvatures (files.curvatures, *cloud.points, curvatures, error),

@@ -118,7 +118,7 @@ run (const Request& request, const Parameters& parameters)
 
   CrestScene scene;
   scene.setCloud (cloud.points);
-  scene.setLines (estimation.getLines());
+  scene.setLines (estimation.getLines(), *estimation.getLineCloud());
   setCamera (request.view ? *request.view : fitView (*cloud.points, request.size),
              *scene.getRenderer()->GetActiveCamera());
   return request.screenshot.empty() ? showWindow (scene, request)

@@ -181,6 +181,37 @@ Options::find (const std::string& name)
 void
 addEstimationOptions (Options& options, Parameters& parameters)
 {
+  options.add ("-preset",
+               "NAME",
+               "auto finds scale and significance by itself, paper is the\n"
+               "                          paper's method (default paper)",
+               [&parameters] (const std::string& value) {
+                 parameters.preset = value == "auto" ? Preset::AUTO : Preset::PAPER;
+                 const bool known = value == "auto" || value == "paper";
+                 return std::string (known ? "" : "auto or paper");
+               });
+  options.addNumber ("-angle",
+                     withDefault ("auto: least turn of the surface across a line, in\n"
+                                  "                          degrees",
+                                  parameters.angle),
+                     parameters.angle);
+  options.addNumber (
+      "-min_length",
+      withDefault ("auto: least length of a line in spacings", parameters.min_length),
+      parameters.min_length);
+  options.addNumber ("-confidence",
+                     withDefault ("auto: standard errors that crests stand out by",
+                                  parameters.confidence),
+                     parameters.confidence);
+  options.add ("-positions",
+               "WHERE",
+               "auto: where lines run, crest or samples (default crest)",
+               [&parameters] (const std::string& value) {
+                 parameters.positions =
+                     value == "samples" ? Positions::SAMPLES : Positions::CREST;
+                 const bool known = value == "crest" || value == "samples";
+                 return std::string (known ? "" : "crest or samples");
+               });
   options.addNumber ("-k",
                      withDefault ("nearest neighbours to choose from", parameters.k),
                      parameters.k);
@@ -232,6 +263,20 @@ explainInvalid (const Options& options, const Parameters& parameters)
 {
   if (options.given ("-k") && options.given ("-radius"))
     return "the options -k and -radius exclude each other: give one of them";
+  const bool paper = parameters.preset == Preset::PAPER;
+  const std::vector<std::string> of_other_preset =
+      paper ? std::vector<std::string>{"-angle",
+                                       "-min_length",
+                                       "-confidence",
+                                       "-positions"}
+            : std::vector<std::string>{
+                  "-M", "-M_ridge", "-M_valley", "-absolute", "-prune"};
+  for (const std::string& option : of_other_preset)
+    if (options.given (option))
+      return "the option " + option + " belongs to -preset " +
+             (paper ? "auto, and has no meaning in the paper's method"
+                    : "paper: auto has -angle, -min_length and -confidence in its "
+                      "place");
   return explainInvalid (parameters);
 }
 

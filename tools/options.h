@@ -79,7 +79,8 @@ private:
   std::vector<Option> options_;
 };
 
-/** \brief Adds the options that fill the parameters of the estimation: -k -radius -M
+/** \brief Adds the options that fill the parameters of the estimation: -preset -angle
+ * -min_length -confidence -positions -k -radius -M
  * -M_ridge -M_valley -absolute -S -S_ridge -S_valley -prune -type -threads. The
  * defaults in the usage are those that the parameters have now.
  */

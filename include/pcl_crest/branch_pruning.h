@@ -27,5 +27,20 @@ pruneBranches (const OrientedPoints& points,
                const std::vector<CrestEdge>& forest,
                std::size_t largest);
 
+/** \brief Prunes the branches that are not longer than the limit of their junction, the
+ * one with the shortest part of its limit first, and again while pruning makes new
+ * ones.
+ *
+ * \param[in] points for the lengths
+ * \param[in] edges of crest graphs, which may have loops
+ * \param[in] limits for each point the greatest length of a branch to prune, in the
+ * cloud's unit
+ * \return the edges that remain
+ */
+std::vector<CrestEdge>
+pruneShortBranches (const OrientedPoints& points,
+                    const std::vector<CrestEdge>& edges,
+                    const std::vector<float>& limits);
+
 } // namespace crest
 } // namespace pcl

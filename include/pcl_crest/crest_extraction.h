@@ -8,12 +8,14 @@
 namespace pcl {
 namespace crest {
 
-/** \brief What the first two stages find out about the surface. It depends neither on
- * M, S and the types wanted nor on pruning, so these can change without it.
+/** \brief What the first two stages find out about the surface. It depends on none of
+ * the thresholds for crest points and lines, so these can change without it.
  */
 struct SurfaceShape {
   SurfaceGraph graph;
   std::vector<PrincipalCurvature> curvature;
+  /** with the preset AUTO what the curvature was taken from, else empty */
+  std::vector<CrestProfile> profiles;
   std::vector<StageTime> times;
 };
 
@@ -23,6 +25,8 @@ struct Crests {
   std::vector<CrestType> points;
   /** the lines that are kept: ridges first, of each type the largest first */
   std::vector<CrestLine> lines;
+  /** for each packed point where the lines through it run */
+  std::vector<Eigen::Vector3f> positions;
   /** the distribution before small lines were removed (4.7), for the types wanted */
   PerType<LineSizes> sizes;
   std::vector<StageTime> times;

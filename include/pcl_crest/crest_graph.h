@@ -41,6 +41,25 @@ crestEdges (const OrientedPoints& points,
             const SurfaceGraph& graph,
             const std::vector<Membership>& membership);
 
+/** \brief Takes back the growth onto points that no crest of this type is near to, as
+ * their profiles tell: the foot is not within three spacings, or k1 has another sign.
+ */
+void
+withdrawGrowth (const SurfaceGraph& graph,
+                const std::vector<CrestProfile>& profiles,
+                CrestType type,
+                std::vector<Membership>& membership);
+
+/** \brief The edges that can be part of a line, for points that stand where their
+ * crests are: none that is long, and none that leads across the crest from one of two
+ * rows of points to the other, as the rungs of a ladder do.
+ */
+std::vector<CrestEdge>
+admissibleEdges (const OrientedPoints& points,
+                 const SurfaceGraph& graph,
+                 const std::vector<CrestProfile>& profiles,
+                 std::vector<CrestEdge> edges);
+
 /** \brief The minimum spanning forest by Kruskal's algorithm (section 4.5).
  *
  * The three weights are three buckets, so that edges are sorted within a type only, by

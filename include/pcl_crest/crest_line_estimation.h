@@ -63,6 +63,43 @@ public:
 
   CrestLineEstimation() { feature_name_ = "CrestLineEstimation"; }
 
+  /** \brief Choose between the paper's method and the one that finds its scale and the
+   * significance of lines by itself (see crest::Parameters::preset).
+   */
+  void
+  setPreset (crest::Preset preset)
+  {
+    parameters_.preset = preset;
+  }
+
+  /** \brief Set how far the surface has to turn across a line, in degrees (AUTO). */
+  void
+  setTurningAngle (double degrees)
+  {
+    parameters_.angle = degrees;
+  }
+
+  /** \brief Set the least length of a line, in spacings of its samples (AUTO). */
+  void
+  setMinLength (double spacings)
+  {
+    parameters_.min_length = spacings;
+  }
+
+  /** \brief Set how many standard errors crest points have to stand out by (AUTO). */
+  void
+  setConfidence (double standard_errors)
+  {
+    parameters_.confidence = standard_errors;
+  }
+
+  /** \brief Choose whether lines run between or along the samples (AUTO). */
+  void
+  setPositions (crest::Positions positions)
+  {
+    parameters_.positions = positions;
+  }
+
   /** \brief Set M, the threshold on the maximality of curvature, for ridges and valleys
    * (see crest::Parameters::maximality for its unit).
    */
@@ -172,7 +209,7 @@ public:
   /** \brief Compute labels and lines.
    * \param[out] labels one of crest::Label for each of the indices, in their order
    * \param[out] lines one pcl::Vertices for each polyline of getLines (), in its order;
-   * its cloud is the surface
+   * its cloud is the surface, the points on lines where these run
    */
   void
   compute (PointCloudOut& labels, pcl::PolygonMesh& lines);
@@ -184,6 +221,16 @@ public:
   getLines () const
   {
     return result_.lines;
+  }
+
+  /** \brief The surface of the last compute with the points on lines moved to where
+   * these run: between the samples with crest::Positions::CREST of the preset AUTO,
+   * else nowhere.
+   */
+  const typename PointCloudIn::ConstPtr&
+  getLineCloud () const
+  {
+    return result_.line_cloud;
   }
 
   /** \brief The principal curvatures of the last compute, one for each of its indices:
@@ -235,6 +282,7 @@ private:
   struct Result {
     bool complete = false;
     std::vector<crest::CrestLine> lines;
+    typename PointCloudIn::ConstPtr line_cloud;
     pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
     Statistics statistics;
   };

@@ -2,7 +2,7 @@
 // Paper, section 4.3: crest point classification.
 #pragma once
 
-#include <pcl_crest/curvature.h>
+#include <pcl_crest/crest_profile.h>
 
 namespace pcl {
 namespace crest {
@@ -37,6 +37,16 @@ classifyCrestPoints (const OrientedPoints& points,
                      const std::vector<PrincipalCurvature>& curvature,
                      const PerType<double>& maximality,
                      unsigned threads);
+
+/** \brief Finds the points whose profile tells that they are on a crest, for the auto
+ * preset: |k1| falls off to both sides by more than `confidence` standard errors, has
+ * its maximum within the point's own part of the line, and is the larger curvature; and
+ * the crest is sharper than a round rod but not narrower than samples can tell.
+ */
+std::vector<CrestType>
+classifyCrestPoints (const SurfaceGraph& graph,
+                     const std::vector<CrestProfile>& profiles,
+                     double confidence);
 
 } // namespace crest
 } // namespace pcl

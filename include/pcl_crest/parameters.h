@@ -29,10 +29,31 @@ struct PerType {
   }
 };
 
+/** \brief What the method does where the paper and what people draw differ. */
+enum class Preset : std::uint8_t {
+  /** the paper's method: one fixed scale, the threshold M */
+  PAPER,
+  /** the paper's stages with the scale and the significance found by statistics */
+  AUTO
+};
+
+/** \brief Where lines run. */
+enum class Positions : std::uint8_t {
+  /** where curvature has its maximum, between the samples */
+  CREST,
+  /** from sample to sample */
+  SAMPLES
+};
+
 /** \brief The parameters of the crest line extraction. The Feature's setters and the
  * tools' options fill this struct; no default is stated anywhere else.
  */
 struct Parameters {
+  /** Which of the thresholds below are in use: maximality, absolute_maximality and
+   * prune belong to PAPER, angle, min_length, confidence and positions to AUTO, and all
+   * others to both. */
+  Preset preset = Preset::PAPER;
+
   /** k of the k closest neighbours that the quadrant filter chooses from (4.1); the
    * query point counts as one of them, as in every PCL feature. Ignored where radius
    * is positive. docs/method.md has the measurement behind the default. */
@@ -62,6 +83,19 @@ struct Parameters {
 
   /** S of section 4.7: lines of fewer points are removed. */
   PerType<int> min_size{10, 10};
+
+  /** How far the surface at least turns across a line, on its average, in degrees. */
+  double angle = 25.0;
+
+  /** Least length of a line, in spacings of the samples along it. */
+  double min_length = 5.0;
+
+  /** How many standard errors the curvature of a crest point has to fall off to both
+   * sides; lines as a whole have to be as many times more certain. */
+  double confidence = 2.0;
+
+  /** Where the lines of AUTO run; those of PAPER run from sample to sample. */
+  Positions positions = Positions::CREST;
 
   /** Which types to label and to draw lines of. */
   PerType<bool> wanted{true, true};

@@ -37,8 +37,10 @@ struct SurfaceGraph {
   std::vector<index_t> neighbors;
   /** 1 where an empty quadrant tells that the surface ends (4.1), else 0 */
   std::vector<std::uint8_t> boundary;
-  /** mean over the points of the mean distance to their 6 nearest neighbours (or to
-   * fewer, where the search finds no more), in the cloud's unit */
+  /** for each point the mean distance to its 6 nearest neighbours (or to fewer, where
+   * the search finds no more), in the cloud's unit */
+  std::vector<float> spacing;
+  /** mean of these over the points */
   double mean_spacing = 0.0;
 
   std::size_t

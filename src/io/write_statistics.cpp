@@ -37,14 +37,23 @@ describe (const Parameters& p)
     json["radius"] = p.radius;
   else
     json["k"] = p.k;
+  json["preset"] = p.preset == Preset::AUTO ? "auto" : "paper";
   json["points_per_quadrant"] = p.points_per_quadrant;
   json["max_normal_angle"] = p.max_normal_angle;
-  json["M_ridge"] = p.maximality.ridge;
-  json["M_valley"] = p.maximality.valley;
-  json["absolute"] = p.absolute_maximality;
+  if (p.preset == Preset::PAPER) {
+    json["M_ridge"] = p.maximality.ridge;
+    json["M_valley"] = p.maximality.valley;
+    json["absolute"] = p.absolute_maximality;
+    json["prune"] = p.prune;
+  }
+  else {
+    json["angle"] = p.angle;
+    json["min_length"] = p.min_length;
+    json["confidence"] = p.confidence;
+    json["positions"] = p.positions == Positions::CREST ? "crest" : "samples";
+  }
   json["S_ridge"] = p.min_size.ridge;
   json["S_valley"] = p.min_size.valley;
-  json["prune"] = p.prune;
   json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
                  : p.wanted.ridge                  ? "ridges"
                                                    : "valleys";
@@ -76,6 +85,41 @@ describe (CrestType type,
   return json;
 }
 
+const char*
+nameOf (LineEnd end)
+{
+  switch (end) {
+  case LineEnd::JUNCTION:
+    return "junction";
+  case LineEnd::BOUNDARY:
+    return "boundary";
+  case LineEnd::CLOSED:
+    return "closed";
+  default:
+    return "free";
+  }
+}
+
+Json
+describe (const CrestLine& line, Preset preset)
+{
+  Json json;
+  json["type"] = nameOf (line.type);
+  json["size"] = line.size;
+  json["length"] = line.length;
+  json["closed"] = line.closed;
+  json["strength"] = line.strength;
+  json["mean_curvature"] = line.mean_curvature;
+  if (preset == Preset::AUTO) {
+    json["turning_angle"] = line.turning_angle;
+    json["scale"] = line.scale;
+  }
+  json["ends"] = Json::array();
+  for (const auto& [first, last] : line.ends)
+    json["ends"].push_back ({nameOf (first), nameOf (last)});
+  return json;
+}
+
 } // namespace
 
 bool
@@ -98,10 +142,7 @@ writeStatistics (const std::string& file,
     json[nameOf (type)] = describe (type, labels, estimation);
   json["lines"] = Json::array();
   for (const CrestLine& line : estimation.getLines())
-    json["lines"].push_back ({{"type", nameOf (line.type)},
-                              {"size", line.size},
-                              {"length", line.length},
-                              {"closed", line.closed}});
+    json["lines"].push_back (describe (line, parameters.preset));
   json["milliseconds"] = Json::object();
   for (const StageTime& time : times)
     json["milliseconds"][time.stage] = time.milliseconds;

@@ -100,8 +100,15 @@ CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
 void
 CrestScene::setLines (const std::vector<CrestLine>& lines)
 {
+  setLines (lines, *cloud_);
+}
+
+void
+CrestScene::setLines (const std::vector<CrestLine>& lines,
+                      const pcl::PointCloud<pcl::PointNormal>& line_cloud)
+{
   vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())
-      ->SetInputData (makeLinePolyData (*cloud_, lines));
+      ->SetInputData (makeLinePolyData (line_cloud, lines));
 }
 
 void

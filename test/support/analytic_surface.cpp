@@ -83,6 +83,25 @@ plane ()
 }
 
 AnalyticSurface
+cylinder (double radius)
+{
+  return make ("cylinder", -PI, PI, -1.0, 1.0, [radius] (auto u, auto v) {
+    using T = decltype (u);
+    return std::array<T, 3>{radius * cos (u), radius * sin (u), v};
+  });
+}
+
+AnalyticSurface
+torus (double large_radius, double small_radius)
+{
+  return make ("torus", -PI, PI, -PI, PI, [=] (auto u, auto v) {
+    using T = decltype (u);
+    const T r = large_radius + small_radius * cos (v);
+    return std::array<T, 3>{r * cos (u), r * sin (u), small_radius * sin (v)};
+  });
+}
+
+AnalyticSurface
 ellipsoid (double a, double b, double c)
 {
   return make ("ellipsoid", -PI, PI, -1.45, 1.45, [=] (auto u, auto v) {

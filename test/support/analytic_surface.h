@@ -36,6 +36,10 @@ sphere (double radius);
 AnalyticSurface
 plane ();
 AnalyticSurface
+cylinder (double radius);
+AnalyticSurface
+torus (double large_radius, double small_radius);
+AnalyticSurface
 ellipsoid (double a, double b, double c);
 /** \brief A Gaussian ridge that winds over a plane, with a valley along either foot. */
 AnalyticSurface

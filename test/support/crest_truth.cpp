@@ -202,9 +202,14 @@ struct Trace {
   }
 };
 
-/** \brief Part of the length of `trace` that is within the tolerance of `other`. */
+/** \brief Part of the length of `trace` that is within the tolerance of `other`, and
+ * the mean distance of that part in units of the tolerance.
+ */
 double
-partNear (const Trace& trace, const Trace& other, double tolerance)
+partNear (const Trace& trace,
+          const Trace& other,
+          double tolerance,
+          double* mean_distance = nullptr)
 {
   if (trace.points->empty() || other.points->empty())
     return 0.0;
@@ -214,12 +219,17 @@ partNear (const Trace& trace, const Trace& other, double tolerance)
   std::vector<float> squared;
   double near = 0.0;
   double all = 0.0;
+  double distances = 0.0;
   for (std::size_t i = 0; i < trace.points->size(); ++i) {
     tree.nearestKSearch ((*trace.points)[i], 1, found, squared);
     all += trace.lengths[i];
-    if (squared[0] < tolerance * tolerance)
+    if (squared[0] < tolerance * tolerance) {
       near += trace.lengths[i];
+      distances += trace.lengths[i] * std::sqrt (squared[0]) / tolerance;
+    }
   }
+  if (mean_distance != nullptr && near > 0.0)
+    *mean_distance = distances / near;
   return near / all;
 }
 
@@ -267,6 +277,56 @@ score (const std::vector<pcl::crest::CrestLine>& lines,
     result.salient_part = lengthOf (salient_truth) / lengthOf (all_truth);
   result.precision = partNear (drawn, all_truth, tolerance);
   result.recall = partNear (salient_truth, drawn, tolerance);
+  return result;
+}
+
+std::vector<TruthSegment>
+salientLines (const std::vector<TruthSegment>& truth)
+{
+  pcl::crest::PerType<double> strongest{0.0, 0.0};
+  for (const TruthSegment& s : truth)
+    strongest[s.type] = std::max (strongest[s.type], s.curvature);
+  constexpr double LEAST_TURN = 34.0 * 3.14159265358979323846 / 180.0;
+  std::vector<TruthSegment> salient;
+  for (const TruthSegment& s : truth) {
+    const double q = s.sharpness / std::pow (s.curvature, 3);
+    if (q > 0.3 && 4.0 / 3.0 * std::sqrt (2.0 / q) >= LEAST_TURN &&
+        s.curvature >= 0.25 * strongest[s.type])
+      salient.push_back (s);
+  }
+  return salient;
+}
+
+LineScore
+scoreLines (const std::vector<pcl::crest::CrestLine>& lines,
+            const pcl::PointCloud<pcl::PointNormal>& line_cloud,
+            const std::vector<TruthSegment>& truth,
+            pcl::crest::CrestType type,
+            double tolerance)
+{
+  Trace all;
+  Trace salient;
+  for (const TruthSegment& s : truth)
+    if (s.type == type)
+      all.add (s.a, s.b, 1);
+  for (const TruthSegment& s : salientLines (truth))
+    if (s.type == type)
+      salient.add (s.a, s.b, 1);
+  Trace drawn;
+  LineScore result;
+  for (const pcl::crest::CrestLine& line : lines)
+    if (line.type == type)
+      for (const auto& polyline : line.polylines)
+        for (std::size_t i = 1; i < polyline.size(); ++i)
+          drawn.add (line_cloud[polyline[i - 1]].getVector3fMap().cast<double>(),
+                     line_cloud[polyline[i]].getVector3fMap().cast<double>(),
+                     8);
+  for (const double length : drawn.lengths)
+    result.drawn_length += length;
+  for (const double length : salient.lengths)
+    result.salient_length += length;
+  result.precision = partNear (drawn, all, tolerance, &result.error);
+  result.recall = partNear (salient, drawn, tolerance);
   return result;
 }
 

@@ -61,4 +61,29 @@ score (const std::vector<pcl::crest::CrestLine>& lines,
        pcl::crest::CrestType type,
        double tolerance);
 
+/** \brief The part of a truth that a person would draw: the surface turns by at least
+ * 34 degrees across it (4/3 sqrt (2 / q), q = sharpness / curvature^3), and it is at
+ * least a quarter as strongly curved as the strongest of its type.
+ */
+std::vector<TruthSegment>
+salientLines (const std::vector<TruthSegment>& truth);
+
+/** \brief Lines of one type against all true lines (precision, error) and the salient
+ * ones (recall).
+ */
+struct LineScore {
+  double precision = 0.0;
+  double recall = 0.0;
+  /** mean distance of the precise part to the truth, in units of the tolerance */
+  double error = 0.0;
+  double drawn_length = 0.0;
+  double salient_length = 0.0;
+};
+LineScore
+scoreLines (const std::vector<pcl::crest::CrestLine>& lines,
+            const pcl::PointCloud<pcl::PointNormal>& line_cloud,
+            const std::vector<TruthSegment>& truth,
+            pcl::crest::CrestType type,
+            double tolerance);
+
 } // namespace oracle

@@ -168,6 +168,13 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
     for (std::vector<index_t>& polyline : line.polylines)
       for (index_t& point : polyline)
         point = points.cloud_index[point];
+  const auto line_cloud = pcl::make_shared<PointCloudIn> (*surface_);
+  for (const crest::CrestLine& line : result_.lines)
+    for (const std::vector<index_t>& polyline : line.polylines)
+      for (const index_t point : polyline)
+        (*line_cloud)[point].getVector3fMap() =
+            crests.positions[points.packed_index[point]];
+  result_.line_cloud = line_cloud;
   result_.complete = true;
   result_.statistics = {
       shape.graph.mean_spacing, points.extent, std::move (crests.sizes), times};
@@ -182,7 +189,7 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
   compute (labels);
   if (!result_.complete)
     return;
-  pcl::toPCLPointCloud2 (surface_ ? *surface_ : *input_, lines.cloud);
+  pcl::toPCLPointCloud2 (*result_.line_cloud, lines.cloud);
   lines.header = lines.cloud.header;
   for (const crest::CrestLine& line : result_.lines)
     for (const std::vector<index_t>& polyline : line.polylines) {

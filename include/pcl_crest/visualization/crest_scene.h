@@ -50,6 +50,14 @@ public:
   void
   setLines (const std::vector<CrestLine>& lines);
 
+  /** \brief Shows lines that do not run through the points of the cloud shown.
+   * \param[in] lines indices into line_cloud
+   * \param[in] line_cloud as CrestLineEstimation::getLineCloud gives it
+   */
+  void
+  setLines (const std::vector<CrestLine>& lines,
+            const pcl::PointCloud<pcl::PointNormal>& line_cloud);
+
 private:
   /** \brief Brings the lines nearer to the camera by a little more than the surface's
    * uncertainty, and leaves them where they are in the picture. Lines on the far side

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which lines a person would draw: significance, for the auto preset.
+#pragma once
+
+#include <pcl_crest/crest_lines.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What the points of lines tell about the significance of these. */
+struct CrestEvidence {
+  const SurfaceGraph& graph;
+  const std::vector<CrestProfile>& profiles;
+  const std::vector<CrestType>& crest_points;
+  /** for each crest point how far |k1| falls until it rises again, as a part of it: of
+   * the two sides the smaller part, 1 for those of the coarsest level */
+  std::vector<float> prominence;
+};
+
+CrestEvidence
+gatherEvidence (const OrientedPoints& points,
+                const SurfaceGraph& graph,
+                const std::vector<CrestProfile>& profiles,
+                const std::vector<CrestType>& crest_points,
+                unsigned threads);
+
+/** \brief Removes the branches whose points do not bear them out: few of them are crest
+ * points, or the surface turns across them by less than `angle` degrees, or they are
+ * ripples on the side of a larger crest. What this leaves of growth at ends goes too.
+ *
+ * \param[in] points where the lines run
+ * \param[in] evidence of the same points
+ * \param[in] edges of one type
+ * \param[in] limits for each point the greatest length of a branch to prune again
+ * \param[in] angle in degrees
+ */
+std::vector<CrestEdge>
+significantBranches (const OrientedPoints& points,
+                     const CrestEvidence& evidence,
+                     std::vector<CrestEdge> edges,
+                     const std::vector<float>& limits,
+                     double angle);
+
+/** \brief Keeps the lines that are significant as a whole: long against the spacing,
+ * their scale and their width, certain beyond chance, and across which the surface
+ * turns enough.
+ */
+std::vector<CrestLine>
+significantLines (const OrientedPoints& points,
+                  const CrestEvidence& evidence,
+                  std::vector<CrestLine> lines,
+                  const Parameters& parameters);
+
+} // namespace crest
+} // namespace pcl

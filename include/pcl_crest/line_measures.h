@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What there is to say about a line beside its course.
+#pragma once
+
+#include <pcl_crest/crest_lines.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief Fills in length, strength, mean curvature and the kinds of ends of lines. An
+ * end is at the boundary if its point or a neighbour of that is a boundary point.
+ */
+void
+measureLines (const OrientedPoints& points,
+              const SurfaceGraph& graph,
+              const std::vector<PrincipalCurvature>& curvature,
+              std::vector<CrestLine>& lines);
+
+/** \brief Fills in what profiles tell: turning angle and scale. */
+void
+measureProfiles (const std::vector<CrestProfile>& profiles,
+                 const std::vector<CrestType>& crest_points,
+                 std::vector<CrestLine>& lines);
+
+} // namespace crest
+} // namespace pcl

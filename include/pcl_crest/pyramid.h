@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface at coarser and coarser samplings, for curvature at a scale.
+#pragma once
+
+#include <pcl_crest/surface_graph.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief One level of a pyramid: every node is the mean of a few samples that are
+ * neighbours on the surface, so that its noise is smaller than theirs.
+ */
+struct PyramidLevel {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  /** samples that each node is the mean of */
+  std::vector<float> weights;
+  /** nodes are neighbours where any of their samples are */
+  SurfaceGraph graph;
+  /** for each sample its node */
+  std::vector<index_t> node_of;
+
+  std::size_t
+  size () const
+  {
+    return positions.size();
+  }
+};
+
+/** \brief The samples themselves as the finest level. */
+PyramidLevel
+finestLevel (const OrientedPoints& points, const SurfaceGraph& graph);
+
+/** \brief The next coarser level: some nodes, no two of them neighbours, are centres,
+ * and every other node joins the nearest centre among its neighbours.
+ *
+ * Centres are found in a fixed number of rounds. In each, those of the nodes that are
+ * still free become centres whose star is more symmetric than that of all their free
+ * neighbours, and their neighbours are free no more. This depends on nothing but the
+ * surroundings of a node: not on the order of the points, their number, or threads, and
+ * not on scale or (but for ties) rotation. What is free after the last round is a node
+ * of its own.
+ */
+PyramidLevel
+coarserLevel (const PyramidLevel& fine, unsigned threads);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/branch_pruning.h>
+#include <pcl_crest/crest_significance.h>
+
+#include "forest.h"
+#include "parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** Least part of the points of a line that are crest points, not grown. */
+constexpr double LEAST_CREST_PART = 0.25;
+/** Least mean prominence. */
+constexpr double LEAST_PROMINENCE = 0.25;
+/** Certainty of a line against that of its points: a line is a lucky one of the very
+ * many that noise could draw. */
+constexpr double LINE_CONFIDENCE = 6.0;
+/** No point is believed to be more certain than this. */
+constexpr double LARGEST_Z = 30.0;
+
+class ProminenceWalk {
+public:
+  ProminenceWalk (const OrientedPoints& points,
+                  const SurfaceGraph& graph,
+                  const std::vector<CrestProfile>& profiles)
+  : points_ (points), graph_ (graph), profiles_ (profiles)
+  {}
+
+  float
+  prominence (index_t point) const
+  {
+    if (profiles_[point].coarsest_level)
+      return 1.0F;
+    const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
+    const float k1 = std::abs (profiles_[point].curvature.k1);
+    return 1.0F - std::max (least (point, t1), least (point, -t1)) / k1;
+  }
+
+private:
+  /** \brief The smallest curvature of the point's sign on the way downhill. */
+  float
+  least (index_t point, Eigen::Vector3f direction) const
+  {
+    // Wider than any crest that is not of the coarsest level.
+    constexpr int MOST_STEPS = 40;
+    // The next crest has begun.
+    constexpr float RISE = 0.25F;
+    // Along t1 of what is passed as long as that goes on in about the same direction.
+    constexpr float SAME_DIRECTION = 0.8F;
+
+    const float top = std::abs (profiles_[point].curvature.k1);
+    const float sign = profiles_[point].curvature.k1 > 0.0F ? 1.0F : -1.0F;
+    float smallest = top;
+    for (int step = 0; step < MOST_STEPS && smallest >= 0.0F; ++step) {
+      point = next (point, direction);
+      if (point == OrientedPoints::INVALID || !profiles_[point].curvature.valid)
+        break;
+      const CrestProfile& profile = profiles_[point];
+      const float k =
+          std::max (sign * profile.curvature.k1, sign * profile.curvature.k2);
+      if (k > smallest + RISE * top)
+        break;
+      smallest = std::min (smallest, k);
+      const float turn = profile.curvature.t1.dot (direction);
+      if (std::abs (turn) > SAME_DIRECTION)
+        direction = turn > 0.0F ? profile.curvature.t1
+                                : Eigen::Vector3f (-profile.curvature.t1);
+      else
+        direction =
+            (direction - direction.dot (profile.normal) * profile.normal).normalized();
+    }
+    return smallest;
+  }
+
+  /** \brief The neighbour closest to a direction, less than 53 degrees off. */
+  index_t
+  next (index_t point, const Eigen::Vector3f& direction) const
+  {
+    double best_cosine = 0.6;
+    index_t best = OrientedPoints::INVALID;
+    for (const index_t q : graph_.star (point)) {
+      const Eigen::Vector3d e = points_.edge (point, q);
+      const double cosine = e.dot (direction.cast<double>()) / e.norm();
+      if (cosine > best_cosine) {
+        best_cosine = cosine;
+        best = q;
+      }
+    }
+    return best;
+  }
+
+  const OrientedPoints& points_;
+  const SurfaceGraph& graph_;
+  const std::vector<CrestProfile>& profiles_;
+};
+
+/** \brief What the crest points on a branch or line say together. */
+struct Summary {
+  std::size_t points = 0;
+  std::size_t crest_points = 0;
+  double turning_angle = 0.0;
+  double prominence = 0.0;
+
+  void
+  add (const CrestEvidence& evidence, index_t point)
+  {
+    ++points;
+    if (evidence.crest_points[point] == CrestType::NONE)
+      return;
+    ++crest_points;
+    turning_angle += turningAngle (evidence.profiles[point].sharpness);
+    prominence += std::min (1.0F, evidence.prominence[point]);
+  }
+
+  bool
+  bearsOut (double angle) const
+  {
+    const auto count = static_cast<double> (crest_points);
+    return crest_points > 0 && turning_angle >= angle * count &&
+           prominence >= LEAST_PROMINENCE * count &&
+           count >= LEAST_CREST_PART * static_cast<double> (points);
+  }
+};
+
+/** \brief Removes growth from ends. */
+void
+trimGrowth (const CrestEvidence& evidence, Forest& graph)
+{
+  for (int v = 0; v < graph.size(); ++v)
+    for (int end = v; graph.degree (end) == 1 &&
+                      evidence.crest_points[graph.packed (end)] == CrestType::NONE;) {
+      const int w = graph.neighbors (end)[0];
+      graph.removeEdge (end, w);
+      end = w;
+    }
+}
+
+/** \brief The points of a line, each once. */
+std::vector<index_t>
+pointsOf (const CrestLine& line)
+{
+  std::vector<index_t> points;
+  for (const std::vector<index_t>& polyline : line.polylines)
+    points.insert (points.end(), polyline.begin(), polyline.end());
+  std::sort (points.begin(), points.end());
+  points.erase (std::unique (points.begin(), points.end()), points.end());
+  return points;
+}
+
+/** \brief The length of a line in widths of its crest: where |k1| has dropped to zero
+ * on the profile's parabola, to both sides.
+ */
+double
+elongation (const OrientedPoints& points,
+            const CrestEvidence& evidence,
+            const CrestLine& line,
+            const Summary& summary)
+{
+  double sum = 0.0;
+  const auto add = [&] (index_t p, double length) {
+    const CrestProfile& profile = evidence.profiles[p];
+    if (evidence.crest_points[p] != CrestType::NONE && profile.sharpness > 0.0F)
+      sum += length * std::abs (profile.curvature.k1) /
+             (2.0 * std::sqrt (2.0 / profile.sharpness));
+  };
+  for (const std::vector<index_t>& polyline : line.polylines)
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      const index_t p = polyline[i - 1];
+      const index_t q = polyline[i];
+      const double length = points.edge (p, q).norm();
+      add (p, 0.5 * length);
+      add (q, 0.5 * length);
+    }
+  // What was grown has no profile of its own: it counts as the crest points do.
+  return sum * static_cast<double> (summary.points) /
+         static_cast<double> (summary.crest_points);
+}
+
+} // namespace
+
+CrestEvidence
+gatherEvidence (const OrientedPoints& points,
+                const SurfaceGraph& graph,
+                const std::vector<CrestProfile>& profiles,
+                const std::vector<CrestType>& crest_points,
+                unsigned threads)
+{
+  CrestEvidence evidence{
+      graph, profiles, crest_points, std::vector<float> (points.size(), 0.0F)};
+  const ProminenceWalk walk (points, graph, profiles);
+  forEachBlock (
+      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          if (crest_points[i] != CrestType::NONE)
+            evidence.prominence[i] = walk.prominence (static_cast<index_t> (i));
+      });
+  return evidence;
+}
+
+std::vector<CrestEdge>
+significantBranches (const OrientedPoints& points,
+                     const CrestEvidence& evidence,
+                     std::vector<CrestEdge> edges,
+                     const std::vector<float>& limits,
+                     double angle)
+{
+  // Removing one branch joins others to longer ones, which are judged again.
+  constexpr int ROUNDS = 3;
+  for (int round = 0; round < ROUNDS; ++round) {
+    Forest graph (edges);
+    std::vector<std::vector<int>> removed;
+    std::vector<bool> seen (static_cast<std::size_t> (graph.size()), false);
+    for (int v = 0; v < graph.size(); ++v) {
+      if (seen[v])
+        continue;
+      for (std::vector<int>& branch : graph.branches (graph.component (v, seen))) {
+        Summary summary;
+        for (const index_t p : graph.packed (branch))
+          summary.add (evidence, p);
+        if (!summary.bearsOut (angle))
+          removed.push_back (std::move (branch));
+      }
+    }
+    for (const std::vector<int>& branch : removed)
+      for (std::size_t i = 1; i < branch.size(); ++i)
+        graph.removeEdge (branch[i - 1], branch[i]);
+    edges = pruneShortBranches (points, graph.remaining (edges), limits);
+    if (removed.empty())
+      break;
+  }
+  Forest graph (edges);
+  trimGrowth (evidence, graph);
+  return graph.remaining (edges);
+}
+
+std::vector<CrestLine>
+significantLines (const OrientedPoints& points,
+                  const CrestEvidence& evidence,
+                  std::vector<CrestLine> lines,
+                  const Parameters& parameters)
+{
+  const auto insignificant = [&] (const CrestLine& line) {
+    const std::vector<index_t> on_line = pointsOf (line);
+    Summary summary;
+    double z = 0.0;
+    double radius = 0.0;
+    double spacing = 0.0;
+    for (const index_t p : on_line) {
+      summary.add (evidence, p);
+      if (evidence.crest_points[p] != CrestType::NONE)
+        z += std::min<double> (evidence.profiles[p].peak_z, LARGEST_Z);
+      radius += evidence.profiles[p].radius;
+      spacing += evidence.graph.spacing[p];
+    }
+    if (!summary.bearsOut (parameters.angle))
+      return true;
+    const auto count = static_cast<double> (on_line.size());
+    radius /= count;
+    spacing /= count;
+    z /= static_cast<double> (summary.crest_points);
+    // Fits overlap: about one in each radius is independent of the others.
+    const double certainty = z * std::sqrt (1.0 + line.length / radius);
+    return line.length < std::max (radius, parameters.min_length * spacing) ||
+           certainty < LINE_CONFIDENCE * parameters.confidence ||
+           elongation (points, evidence, line, summary) < 1.0;
+  };
+  lines.erase (std::remove_if (lines.begin(), lines.end(), insignificant), lines.end());
+  return lines;
+}
+
+} // namespace crest
+} // namespace pcl

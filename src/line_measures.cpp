@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/line_measures.h>
+
+#include "forest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+bool
+nearBoundary (const SurfaceGraph& graph, index_t point)
+{
+  const Star star = graph.star (point);
+  return graph.boundary[point] != 0 ||
+         std::any_of (star.begin(), star.end(), [&] (index_t q) {
+           return graph.boundary[q] != 0;
+         });
+}
+
+/** \brief In how many places a line's polylines begin or end at a point. */
+std::size_t
+countEnds (const CrestLine& line, index_t point)
+{
+  std::size_t count = 0;
+  for (const std::vector<index_t>& polyline : line.polylines)
+    count += (polyline.front() == point ? 1 : 0) + (polyline.back() == point ? 1 : 0);
+  return count;
+}
+
+LineEnd
+endAt (const SurfaceGraph& graph, const CrestLine& line, index_t point)
+{
+  if (line.closed)
+    return LineEnd::CLOSED;
+  if (countEnds (line, point) > 1)
+    return LineEnd::JUNCTION;
+  return nearBoundary (graph, point) ? LineEnd::BOUNDARY : LineEnd::FREE;
+}
+
+} // namespace
+
+void
+measureLines (const OrientedPoints& points,
+              const SurfaceGraph& graph,
+              const std::vector<PrincipalCurvature>& curvature,
+              std::vector<CrestLine>& lines)
+{
+  for (CrestLine& line : lines) {
+    line.length = 0.0;
+    line.strength = 0.0;
+    line.ends.clear();
+    for (const std::vector<index_t>& polyline : line.polylines) {
+      line.length += polylineLength (points, polyline);
+      for (std::size_t i = 1; i < polyline.size(); ++i) {
+        const index_t p = polyline[i - 1];
+        const index_t q = polyline[i];
+        const double length = points.edge (p, q).norm();
+        line.strength +=
+            0.5 * length * (std::abs (curvature[p].k1) + std::abs (curvature[q].k1));
+      }
+      line.ends.push_back ({endAt (graph, line, polyline.front()),
+                            endAt (graph, line, polyline.back())});
+    }
+    line.mean_curvature = line.length > 0.0 ? line.strength / line.length : 0.0;
+  }
+}
+
+void
+measureProfiles (const std::vector<CrestProfile>& profiles,
+                 const std::vector<CrestType>& crest_points,
+                 std::vector<CrestLine>& lines)
+{
+  for (CrestLine& line : lines) {
+    double angle = 0.0;
+    double radius = 0.0;
+    double count = 0.0;
+    for (const std::vector<index_t>& polyline : line.polylines)
+      for (const index_t p : polyline)
+        if (crest_points[p] != CrestType::NONE) {
+          angle += turningAngle (profiles[p].sharpness);
+          radius += profiles[p].radius;
+          count += 1.0;
+        }
+    line.turning_angle = count > 0.0 ? angle / count : 0.0;
+    line.scale = count > 0.0 ? radius / count : 0.0;
+  }
+}
+
+} // namespace crest
+} // namespace pcl

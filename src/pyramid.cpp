@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/pyramid.h>
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief Rounds of local minima. Each leaves about a quarter of the free nodes free:
+ * after this many it is one in a thousand or less, wherever the cloud is cut to tiles.
+ */
+constexpr int ROUNDS = 8;
+
+/** \brief Least cosine between normals of nodes that may be averaged: neighbours across
+ * a sharp edge or on two sheets are not one piece of surface.
+ */
+constexpr float MERGE_COSINE = 0.5F;
+
+/** \brief Mixes the bits of an index, so that ties on a lattice fall at random and do
+ * not build long chains (the finalizer of MurmurHash3, A. Appleby, public domain).
+ */
+std::uint32_t
+hash (std::uint32_t x)
+{
+  x = (x ^ x >> 16) * 0x85ebca6bU;
+  x = (x ^ x >> 13) * 0xc2b2ae35U;
+  return x ^ x >> 16;
+}
+
+/** \brief How lopsided the star of a node is, then a hash: smaller comes first. */
+std::uint64_t
+priority (const PyramidLevel& level, index_t node)
+{
+  const Eigen::Vector3d p = level.positions[node].cast<double>();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double lengths = 0.0;
+  for (const index_t q : level.graph.star (node)) {
+    const Eigen::Vector3d e = level.positions[q].cast<double>() - p;
+    sum += e;
+    lengths += e.norm();
+  }
+  // 0 where the edges balance, 1 where all go one way; the steps outlast rounding.
+  constexpr double STEPS = 1 << 16;
+  const double asymmetry = lengths > 0.0 ? sum.norm() / lengths : 1.0;
+  return static_cast<std::uint64_t> (STEPS * asymmetry) << 32 |
+         hash (static_cast<std::uint32_t> (node));
+}
+
+bool
+mayMerge (const PyramidLevel& level, index_t a, index_t b)
+{
+  return level.normals[a].dot (level.normals[b]) > MERGE_COSINE;
+}
+
+enum class Role : std::uint8_t { FREE, CENTRE, COVERED };
+
+std::vector<Role>
+chooseCentres (const PyramidLevel& fine, unsigned threads)
+{
+  const std::size_t size = fine.size();
+  std::vector<std::uint64_t> priorities (size);
+  const auto forEachNode = [&] (const auto& work) {
+    forEachBlock (
+        size, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i)
+            work (static_cast<index_t> (i));
+        });
+  };
+  forEachNode ([&] (index_t i) { priorities[i] = priority (fine, i); });
+
+  std::vector<Role> roles (size, Role::FREE);
+  std::vector<Role> before;
+  const auto anyNeighbor = [&] (index_t i, Role role, const auto& condition) {
+    for (const index_t q : fine.graph.star (i))
+      if (before[q] == role && mayMerge (fine, i, q) && condition (q))
+        return true;
+    return false;
+  };
+  const auto becomesCentre = [&] (index_t i) {
+    return !anyNeighbor (i, Role::FREE, [&] (index_t q) {
+      return std::make_pair (priorities[q], q) < std::make_pair (priorities[i], i);
+    });
+  };
+  for (int round = 0; round < ROUNDS; ++round) {
+    before = roles;
+    forEachNode ([&] (index_t i) {
+      if (before[i] == Role::FREE && becomesCentre (i))
+        roles[i] = Role::CENTRE;
+    });
+    before = roles;
+    forEachNode ([&] (index_t i) {
+      if (before[i] == Role::FREE &&
+          anyNeighbor (i, Role::CENTRE, [] (index_t) { return true; }))
+        roles[i] = Role::COVERED;
+    });
+  }
+  std::replace (roles.begin(), roles.end(), Role::FREE, Role::CENTRE);
+  return roles;
+}
+
+/** \brief The nearest centre that a covered node may join. */
+index_t
+nearestCentre (const PyramidLevel& fine, const std::vector<Role>& roles, index_t node)
+{
+  index_t nearest = node;
+  double least = 0.0;
+  for (const index_t q : fine.graph.star (node)) {
+    if (roles[q] != Role::CENTRE || !mayMerge (fine, node, q))
+      continue;
+    const double d =
+        (fine.positions[q] - fine.positions[node]).cast<double>().squaredNorm();
+    if (nearest == node || d < least) {
+      nearest = q;
+      least = d;
+    }
+  }
+  return nearest;
+}
+
+/** \brief Makes means of the nodes that share a centre. */
+void
+average (const PyramidLevel& fine,
+         const std::vector<index_t>& coarse_of,
+         PyramidLevel& coarse)
+{
+  std::vector<Eigen::Vector3d> positions (coarse.size(), Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3d> normals = positions;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const index_t c = coarse_of[i];
+    positions[c] += fine.weights[i] * fine.positions[i].cast<double>();
+    normals[c] += fine.weights[i] * fine.normals[i].cast<double>();
+    coarse.weights[c] += fine.weights[i];
+  }
+  for (std::size_t c = 0; c < coarse.size(); ++c) {
+    coarse.positions[c] =
+        (positions[c] / static_cast<double> (coarse.weights[c])).cast<float>();
+    // All are within 60 degrees of the centre's normal: the sum is not zero.
+    coarse.normals[c] = normals[c].normalized().cast<float>();
+  }
+}
+
+SurfaceGraph
+coarserGraph (const SurfaceGraph& fine,
+              const std::vector<index_t>& coarse_of,
+              std::size_t size)
+{
+  std::vector<std::pair<index_t, index_t>> edges;
+  for (index_t a = 0; a < static_cast<index_t> (fine.size()); ++a)
+    for (const index_t b : fine.star (a))
+      if (coarse_of[a] != coarse_of[b])
+        edges.emplace_back (coarse_of[a], coarse_of[b]);
+  std::sort (edges.begin(), edges.end());
+  edges.erase (std::unique (edges.begin(), edges.end()), edges.end());
+
+  SurfaceGraph graph;
+  graph.offsets.assign (size + 1, 0);
+  graph.neighbors.reserve (edges.size());
+  for (const auto& [a, b] : edges) {
+    ++graph.offsets[a + 1];
+    graph.neighbors.push_back (b);
+  }
+  std::partial_sum (graph.offsets.begin(), graph.offsets.end(), graph.offsets.begin());
+  return graph;
+}
+
+} // namespace
+
+PyramidLevel
+finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
+{
+  PyramidLevel level;
+  level.positions = points.positions;
+  level.normals = points.normals;
+  level.weights.assign (points.size(), 1.0F);
+  level.graph = graph;
+  level.node_of.resize (points.size());
+  std::iota (level.node_of.begin(), level.node_of.end(), 0);
+  return level;
+}
+
+PyramidLevel
+coarserLevel (const PyramidLevel& fine, unsigned threads)
+{
+  const std::vector<Role> roles = chooseCentres (fine, threads);
+  std::vector<index_t> coarse_of (fine.size(), OrientedPoints::INVALID);
+  index_t size = 0;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    if (roles[i] == Role::CENTRE)
+      coarse_of[i] = size++;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    if (roles[i] == Role::COVERED)
+      coarse_of[i] = coarse_of[nearestCentre (fine, roles, static_cast<index_t> (i))];
+
+  PyramidLevel coarse;
+  coarse.positions.resize (size);
+  coarse.normals.resize (size);
+  coarse.weights.assign (size, 0.0F);
+  average (fine, coarse_of, coarse);
+  coarse.graph = coarserGraph (fine.graph, coarse_of, coarse.size());
+  coarse.node_of.reserve (fine.node_of.size());
+  for (const index_t node : fine.node_of)
+    coarse.node_of.push_back (coarse_of[node]);
+  return coarse;
+}
+
+} // namespace crest
+} // namespace pcl

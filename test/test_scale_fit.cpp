@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curvature at a scale against exact curvature, and its errors against real ones.
+#include <pcl_crest/crest_profile.h>
+#include <pcl_crest/scale_fit.h>
+
+#include <gtest/gtest.h>
+
+#include "support/crest_truth.h"
+#include "support/noisy_cloud.h"
+#include "support/surface_stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl::crest;
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+namespace {
+
+struct Fits {
+  PyramidLevel level;
+  std::vector<ScaleFit> fits;
+};
+
+Fits
+fitsAt (const Cloud& cloud, int number, int nearest)
+{
+  const oracle::SurfaceStages stages = oracle::surfaceStages (cloud);
+  Fits result;
+  result.level = finestLevel (stages.points, stages.graph);
+  for (int i = 0; i < number; ++i)
+    result.level = coarserLevel (result.level, 0);
+  result.fits = fitAtScale (
+      result.level, nearest, std::vector<std::uint8_t> (result.level.size(), 1), 0);
+  return result;
+}
+
+double
+median (std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+double
+variance (const std::vector<double>& values)
+{
+  double mean = 0.0;
+  double squares = 0.0;
+  for (const double x : values)
+    mean += x / static_cast<double> (values.size());
+  for (const double x : values)
+    squares += (x - mean) * (x - mean);
+  return squares / static_cast<double> (values.size() - 1);
+}
+
+} // namespace
+
+TEST (ScaleFit, FindsTheCurvatureOfATorus)
+{
+  // On the outer equator 1 / .4 around the tube and 1 / 1.4 around the axis.
+  const Cloud::Ptr cloud = oracle::sample (oracle::torus (1.0, 0.4), 12000);
+  for (const auto& [number, nearest] :
+       std::vector<std::pair<int, int>>{{0, 28}, {1, 28}, {1, 70}}) {
+    const Fits run = fitsAt (*cloud, number, nearest);
+    std::vector<double> k1_errors;
+    std::vector<double> k2_errors;
+    std::vector<double> t1_errors;
+    for (std::size_t i = 0; i < run.fits.size(); ++i) {
+      ASSERT_TRUE (run.fits[i].valid);
+      const Eigen::Vector3d p = run.level.positions[i].cast<double>();
+      const double axis = std::hypot (p.x(), p.y());
+      const double cosine = (axis - 1.0) / std::hypot (axis - 1.0, p.z());
+      k1_errors.push_back (std::abs (run.fits[i].k1 - 2.5) / 2.5);
+      k2_errors.push_back (std::abs (run.fits[i].k2 - cosine / (1.0 + 0.4 * cosine)));
+      const Eigen::Vector3d around (-p.y() / axis, p.x() / axis, 0.0);
+      t1_errors.push_back (std::abs (run.fits[i].t1.dot (around)));
+    }
+    // What a cubic does not follow of a circle falls with the square of the radius.
+    const double turn = 2.5 * run.fits[0].radius;
+    const double tolerance = 0.2 * turn * turn;
+    EXPECT_LT (median (k1_errors), tolerance) << number << ' ' << nearest;
+    EXPECT_LT (median (k2_errors), 2.0 * tolerance) << number << ' ' << nearest;
+    EXPECT_LT (median (t1_errors), 0.01) << number << ' ' << nearest;
+  }
+}
+
+TEST (ScaleFit, LiesNearerToTheSurfaceThanItsNode)
+{
+  const Cloud::Ptr exact = oracle::sample (oracle::sphere (1.0), 8000);
+  const double noise = 0.3 * oracle::meanSpacing (*exact);
+  const Fits run = fitsAt (*oracle::withNoise (*exact, noise), 0, 28);
+  std::vector<double> node;
+  std::vector<double> fit;
+  for (std::size_t i = 0; i < run.fits.size(); ++i) {
+    const Eigen::Vector3d p = run.level.positions[i].cast<double>();
+    node.push_back (std::abs (p.norm() - 1.0));
+    fit.push_back (
+        std::abs ((p + run.fits[i].offset * run.fits[i].normal).norm() - 1.0));
+  }
+  EXPECT_LT (median (fit), 0.6 * median (node));
+}
+
+TEST (ScaleFit, ErrorsAreThoseOfNoisyCylinders)
+{
+  struct Case {
+    int level, nearest;
+    double noise;
+  };
+  // Noise small enough that k1 is certain, or the fit takes the larger of two that are
+  // not, and large enough to hide what a cubic cannot follow.
+  const Cloud::Ptr exact = oracle::sample (oracle::cylinder (0.5), 20000);
+  const double h = oracle::meanSpacing (*exact);
+  for (const Case& c : {Case{0, 28, 0.01},
+                        Case{1, 28, 0.05},
+                        Case{1, 28, 0.2},
+                        Case{1, 44, 0.2},
+                        Case{1, 70, 0.2}}) {
+    const Cloud::Ptr cloud = oracle::withNoise (*exact, c.noise * h);
+    const Fits run = fitsAt (*cloud, c.level, c.nearest);
+    std::vector<double> z;
+    std::vector<double> noises;
+    for (std::size_t i = 0; i < run.fits.size(); ++i)
+      if (run.fits[i].valid && std::abs (run.level.positions[i].z()) < 0.6) {
+        z.push_back ((run.fits[i].k1 - 2.0) / run.fits[i].k1_error);
+        noises.push_back (run.fits[i].noise / (c.noise * h));
+      }
+    EXPECT_NEAR (median (noises), 1.0, 0.1) << c.level << ' ' << c.nearest;
+    EXPECT_GT (variance (z), 0.7) << c.level << ' ' << c.nearest;
+    EXPECT_LT (variance (z), 1.4) << c.level << ' ' << c.nearest;
+  }
+}
+
+TEST (CrestProfile, PeaksOnNoisyCylindersAreChance)
+{
+  const Cloud::Ptr exact = oracle::sample (oracle::cylinder (0.2), 20000);
+  const double h = oracle::meanSpacing (*exact);
+  for (const double noise : {0.005, 0.01, 0.2}) {
+    const oracle::SurfaceStages stages =
+        oracle::surfaceStages (*oracle::withNoise (*exact, noise * h));
+    std::vector<double> z;
+    std::size_t resolved = 0;
+    for (const CrestProfile& profile : profileCrests (stages.points, stages.graph, 0)) {
+      if (profile.scale == 0)
+        z.push_back (profile.peak_z);
+      resolved += profile.resolved ? 1 : 0;
+    }
+    // Where the noise is larger, k1 at this scale is the larger of two uncertain ones.
+    if (noise < 0.1) {
+      EXPECT_GT (variance (z), 0.7) << noise;
+      EXPECT_LT (variance (z), 1.4) << noise;
+    }
+    EXPECT_LT (resolved, stages.points.size() / 50) << noise;
+  }
+}
+
+TEST (CrestProfile, TurningAngleIsThatOfTheParabola)
+{
+  EXPECT_NEAR (turningAngle (115.0), 10.0, 0.1);
+  EXPECT_NEAR (turningAngle (18.7), 25.0, 0.1);
+  EXPECT_EQ (turningAngle (0.01), 180.0);
+  EXPECT_EQ (turningAngle (-1.0), 180.0);
+}
