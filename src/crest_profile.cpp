@@ -2,10 +2,8 @@
 #include <pcl_crest/crest_profile.h>
 #include <pcl_crest/scale_fit.h>
 
-#include <Eigen/Dense>
-
-#include "node_walk.h"
 #include "parallel.h"
+#include "profile_blend.h"
 
 #include <algorithm>
 #include <array>
@@ -31,21 +29,30 @@ constexpr int COARSEST_LEVEL = SCALES.back().level;
 /** The profile's window, in spacings of the nodes. */
 constexpr double WINDOW = 2.5;
 
-/** \brief Standard errors of the profile's slope and curvature against the standard
- * error of k1. Neighbouring fits share most of their nodes, so that the ratio cannot be
- * had from the profile's own fit; these make both z have unit variance on noisy
- * cylinders: powers of the number of nodes through what was measured there on levels 1
- * and 2, for c1 1.5, 1.7, 1.7 and for c2 3.4, 3.1, 2.5 with 28, 44 and 70 nodes.
+/** Along the crest the elongated window is longer than it is wide by this. */
+constexpr double ELONGATION = 4.0;
+
+/** \brief Standard errors of a profile's slope and bend against the standard error of
+ * k1. Neighbouring fits share most of their nodes, and neighbouring polynomials are
+ * blended, so that the ratio cannot be had from the profile's own fit; these give both
+ * z about unit variance on noisy cylinders (test_scale_fit measures it): powers of the
+ * number of nodes through what was measured there.
  */
-double
-slopeError (int nodes)
+struct ProfileErrors {
+  double slope;
+  double bend;
+};
+
+ProfileErrors
+roundErrors (int nodes)
 {
-  return 1.55 * std::pow (nodes / 28.0, 0.1);
+  return {1.55 * std::pow (nodes / 28.0, 0.1), 2.4 * std::pow (28.0 / nodes, 0.35)};
 }
-double
-peakError (int nodes)
+ProfileErrors
+elongatedErrors (int nodes)
 {
-  return 3.45 * std::pow (28.0 / nodes, 0.35);
+  const ProfileErrors round = roundErrors (nodes);
+  return {0.72 * round.slope, 0.57 * round.bend};
 }
 
 /** A profile is significantly not constant from this z on, with two degrees of freedom:
@@ -53,210 +60,111 @@ peakError (int nodes)
 constexpr double RESOLVING_Z = 4.0;
 /** k1 itself has to be certain, or its direction is not. */
 constexpr double CURVATURE_Z = 6.0;
+/** And so far at least where a profile is only likely. */
+constexpr double LIKELY_CURVATURE_Z = 3.0;
 /** Least change of k1 over the window, relative to it: below, the cubic's own error is
  * larger than any noise. */
 constexpr double LEAST_CHANGE = 0.01;
 /** Standard error of the foot, in spacings, above which a coarser scale places it
  * better; of interest only for samples that the foot is near to. */
-constexpr double LARGEST_FOOT_ERROR = 0.5;
+constexpr double LARGEST_FOOT_ERROR = 0.75;
 constexpr double NEAR_FOOT = 3.0;
 /** Flat is what turns by less than this over a spacing. */
 constexpr double FLAT_TURN = 1e-4;
 /** Certainly less sharp than this is of constant curvature for a person's eye. */
 constexpr double LEAST_SHARPNESS = 0.3;
 
-/** \brief Fits profiles at one scale. */
-class ProfileFitter {
-public:
-  ProfileFitter (const OrientedPoints& points,
-                 const SurfaceGraph& graph,
-                 const PyramidLevel& level,
-                 const std::vector<ScaleFit>& fits,
-                 int scale)
-  : points_ (points)
-  , graph_ (graph)
-  , level_ (level)
-  , fits_ (fits)
-  , scale_ (scale)
-  , slope_error_ (slopeError (SCALES[scale].nodes))
-  , peak_error_ (peakError (SCALES[scale].nodes))
-  , walk_ (level.graph)
-  {}
-
-  /** \brief Fits the profile of a sample; returns whether a coarser scale has to. */
-  bool
-  fit (index_t sample, CrestProfile& profile)
-  {
-    const index_t node = level_.node_of[sample];
-    const ScaleFit& own = fits_[node];
-    if (!own.valid)
-      return true;
-    const double node_spacing = own.radius / std::sqrt (SCALES[scale_].nodes / M_PI);
-    const double window = WINDOW * node_spacing;
-    const Eigen::Vector3d x = onSurface (sample, node);
-    Coefficients c;
-    double error = 0.0;
-    if (!fitWindow (node, x, window, c, error))
-      return true;
-
-    const double spacing = graph_.spacing[sample];
-    const double k1 = std::abs (own.k1);
-    // Without any noise only rounding is left.
-    error = std::max (error, 1e-9 / window);
-    const double slope_z = c[1] / (slope_error_ * error);
-    const double peak_z = -c[2] / (peak_error_ * error);
-    const double foot = c[2] < 0.0 ? -c[1] / (2.0 * c[2]) * window
-                                   : std::numeric_limits<double>::infinity();
-    const double to_second_derivative = 2.0 / (window * window);
-    const double sharpness = -c[2] * to_second_derivative / (k1 * k1 * k1);
-    const double sharpness_error =
-        2.0 * peak_error_ * error * to_second_derivative / (k1 * k1 * k1);
-
-    bool resolved = std::hypot (slope_z, peak_z) > RESOLVING_Z &&
-                    k1 > CURVATURE_Z * error &&
-                    std::hypot (c[1], c[2]) > LEAST_CHANGE * k1;
-    if (resolved && std::abs (foot) < NEAR_FOOT * spacing) {
-      const double foot_error = window * slope_error_ * error / (2.0 * -c[2]);
-      resolved = foot_error <= LARGEST_FOOT_ERROR * spacing;
-    }
-    const bool flat = (k1 + 2.0 * error) * spacing < FLAT_TURN;
-    const bool constant = k1 > CURVATURE_Z * error &&
-                          std::abs (sharpness) + sharpness_error < LEAST_SHARPNESS &&
-                          std::abs (c[1]) < 0.5 * LEAST_SHARPNESS * k1 * k1 * window;
-
-    if (resolved || profile.scale == CrestProfile::NO_SCALE) {
-      if (profile.scale == CrestProfile::NO_SCALE)
-        profile.noise = static_cast<float> (own.noise);
-      const Eigen::Vector3d p = points_.positions[sample].cast<double>();
-      profile.curvature = {static_cast<float> (own.k1),
-                           static_cast<float> (own.k2),
-                           own.t1.cast<float>(),
-                           true};
-      profile.normal = own.normal.cast<float>();
-      profile.height = static_cast<float> ((x - p).dot (own.normal));
-      profile.foot = static_cast<float> (foot);
-      profile.peak_z = static_cast<float> (peak_z);
-      profile.sharpness = static_cast<float> (sharpness);
-      profile.fall = static_cast<float> (-c[2] / k1);
-      profile.radius = static_cast<float> (own.radius);
-      profile.scale = scale_;
-      profile.resolved = resolved;
-      profile.coarsest_level = SCALES[scale_].level == COARSEST_LEVEL;
-    }
-    return !resolved && !flat && !constant;
-  }
-
-private:
-  static constexpr int TERMS = 6;
-  using Coefficients = Eigen::Matrix<double, TERMS, 1>;
-  using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
-
-  /** \brief Where the node's paraboloid passes the sample. */
-  Eigen::Vector3d
-  onSurface (index_t sample, index_t node) const
-  {
-    const ScaleFit& own = fits_[node];
-    const Eigen::Vector3d t2 = own.normal.cross (own.t1);
-    const Eigen::Vector3d origin = level_.positions[node].cast<double>();
-    const Eigen::Vector3d e = points_.positions[sample].cast<double>() - origin;
-    const double u = e.dot (own.t1);
-    const double v = e.dot (t2);
-    return origin + u * own.t1 + v * t2 +
-           (own.offset - 0.5 * (own.k1 * u * u + own.k2 * v * v)) * own.normal;
-  }
-
-  /** \brief Fits c0 + c1 u + c2 u^2 + c3 v + c4 u v + c5 v^2 to the largest curvature
-   * of the sign of k1 in a window around x, u along t1, in units of the window. In two
-   * dimensions, as t1 turns quickly near umbilics, where a fit along t1 alone finds
-   * ridges that are none. Returns whether there is something on both sides.
-   */
-  bool
-  fitWindow (index_t node,
-             const Eigen::Vector3d& x,
-             double window,
-             Coefficients& c,
-             double& k1_error)
-  {
-    constexpr int RINGS = 3;
-    constexpr int LEAST_NODES = 8;
-    constexpr int LEAST_BESIDE = 2;
-    constexpr double BESIDE = 0.1;
-
-    const ScaleFit& own = fits_[node];
-    const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
-    const Eigen::Vector3d t2 = own.normal.cross (own.t1);
-    NormalMatrix matrix = NormalMatrix::Zero();
-    Coefficients right_side = Coefficients::Zero();
-    double weight = 0.0;
-    double variance = 0.0;
-    int count = 0;
-    int ahead = 0;
-    int behind = 0;
-
-    const auto any = [] (index_t) { return true; };
-    walk_.start (node);
-    const std::vector<index_t>& reached = walk_.reached();
-    std::size_t i = 0;
-    for (int ring = 0; ring < RINGS; ++ring)
-      for (const std::size_t end = reached.size(); i < end; ++i) {
-        const index_t q = reached[i];
-        const ScaleFit& fit = fits_[q];
-        if (!fit.valid || fit.normal.dot (own.normal) < SAME_SHEET_COSINE)
-          continue;
-        const Eigen::Vector3d d =
-            (level_.positions[q].cast<double>() + fit.offset * fit.normal - x) / window;
-        const double g = 1.0 - d.squaredNorm();
-        if (g > 0.0) {
-          const double u = d.dot (own.t1);
-          const double v = d.dot (t2);
-          const double w = g * g;
-          const double row[TERMS] = {1.0, u, u * u, v, u * v, v * v};
-          const double k = std::max (sign * fit.k1, sign * fit.k2);
-          for (int a = 0; a < TERMS; ++a) {
-            right_side[a] += w * row[a] * k;
-            for (int b = 0; b <= a; ++b)
-              matrix (a, b) += w * row[a] * row[b];
-          }
-          weight += w;
-          variance += w * fit.k1_error * fit.k1_error;
-          ++count;
-          ahead += u > BESIDE ? 1 : 0;
-          behind += u < -BESIDE ? 1 : 0;
-        }
-        // The window may lie beside its own node, but else ends where it ends.
-        if ((g > 0.0 && ring + 1 < RINGS) || ring == 0)
-          walk_.expand (q, any);
-      }
-    if (ahead < LEAST_BESIDE || behind < LEAST_BESIDE || count < LEAST_NODES)
-      return false;
-    matrix.diagonal().array() += 1e-5 * weight;
-    const Eigen::LLT<NormalMatrix, Eigen::Lower> solver (matrix);
-    c = solver.solve (right_side);
-    k1_error = std::sqrt (variance / weight);
-    return c.allFinite();
-  }
-
-  const OrientedPoints& points_;
-  const SurfaceGraph& graph_;
-  const PyramidLevel& level_;
-  const std::vector<ScaleFit>& fits_;
-  int scale_;
-  double slope_error_;
-  double peak_error_;
-  NodeWalk walk_;
+/** \brief What one scale has to say, and to which window. */
+struct ScaleProfiles {
+  int scale;
+  ProfileErrors errors;
+  const PyramidLevel& level;
+  const std::vector<ScaleFit>& fits;
+  const std::vector<ProfilePolynomial>& polynomials;
 };
 
-/** \brief The nodes of active samples with the two rings around them, which profiles
- * look at.
+/** \brief Takes in the profile of a sample where that is more certain than the one
+ * that it has; returns whether a longer window or a coarser scale has to follow.
  */
+bool
+readProfile (const OrientedPoints& points,
+             double spacing,
+             const ScaleProfiles& from,
+             index_t sample,
+             CrestProfile& profile)
+{
+  const index_t node = from.level.node_of[sample];
+  const ProfilePolynomial& polynomial = from.polynomials[node];
+  if (!polynomial.valid)
+    return true;
+  const ScaleFit& own = from.fits[node];
+  const BlendedProfile blend = blendProfiles (points.positions[sample].cast<double>(),
+                                              node,
+                                              from.level,
+                                              from.fits,
+                                              from.polynomials);
+  const ProfileParabola& c = blend.profile;
+  const double window = polynomial.window;
+  const double k1 = std::abs (blend.k1);
+  // Without any noise only rounding is left.
+  const double error = std::max (polynomial.k1_error, 1e-9 / window);
+  const double slope_z = c.slope / (from.errors.slope * error);
+  const double peak_z = -c.bend / (from.errors.bend * error);
+  const double z = std::hypot (slope_z, peak_z);
+  const double foot = c.bend < 0.0 ? -c.slope / (2.0 * c.bend) * window
+                                   : std::numeric_limits<double>::infinity();
+  const double to_second_derivative = 2.0 / (window * window);
+  const double sharpness = -c.bend * to_second_derivative / (k1 * k1 * k1);
+  const double sharpness_error =
+      2.0 * from.errors.bend * error * to_second_derivative / (k1 * k1 * k1);
+
+  bool resolved = z > RESOLVING_Z && k1 > CURVATURE_Z * error &&
+                  std::hypot (c.slope, c.bend) > LEAST_CHANGE * k1;
+  if (resolved && std::abs (foot) < NEAR_FOOT * spacing) {
+    const double foot_error = window * from.errors.slope * error / (2.0 * -c.bend);
+    resolved = foot_error <= LARGEST_FOOT_ERROR * spacing;
+  }
+  const bool flat = (k1 + 2.0 * error) * spacing < FLAT_TURN;
+  const bool constant = k1 > CURVATURE_Z * error &&
+                        std::abs (sharpness) + sharpness_error < LEAST_SHARPNESS &&
+                        std::abs (c.slope) < 0.5 * LEAST_SHARPNESS * k1 * k1 * window;
+  const bool last = resolved || flat || constant;
+
+  const double certainty = c.bend < 0.0 && k1 > LIKELY_CURVATURE_Z * error ? z : 0.0;
+  const bool first = profile.scale == CrestProfile::NO_SCALE;
+  if (first)
+    profile.noise = static_cast<float> (own.noise);
+  if (first || last || certainty > profile.certainty) {
+    profile.curvature = {static_cast<float> (blend.k1),
+                         static_cast<float> (blend.k2),
+                         blend.t1.cast<float>(),
+                         true};
+    profile.normal = own.normal.cast<float>();
+    profile.height = static_cast<float> (blend.height);
+    profile.foot = static_cast<float> (foot);
+    profile.certainty = static_cast<float> (certainty);
+    profile.peak_z = static_cast<float> (peak_z);
+    profile.sharpness = static_cast<float> (sharpness);
+    profile.fall = static_cast<float> (-c.bend / k1);
+    profile.radius = static_cast<float> (own.radius);
+    profile.scale = from.scale;
+    profile.resolved = resolved;
+    profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;
+  }
+  return !last;
+}
+
+/** \brief The nodes of active samples with some rings of nodes around them. */
 std::vector<std::uint8_t>
-neededNodes (const PyramidLevel& level, const std::vector<std::uint8_t>& active)
+neededNodes (const PyramidLevel& level,
+             const std::vector<std::uint8_t>& active,
+             int rings)
 {
   std::vector<std::uint8_t> needed (level.size(), 0);
   for (std::size_t i = 0; i < active.size(); ++i)
     if (active[i] != 0)
       needed[level.node_of[i]] = 1;
-  for (int ring = 0; ring < 2; ++ring) {
+  for (int ring = 0; ring < rings; ++ring) {
     const std::vector<std::uint8_t> inner = needed;
     for (std::size_t i = 0; i < inner.size(); ++i)
       if (inner[i] != 0)
@@ -264,6 +172,28 @@ neededNodes (const PyramidLevel& level, const std::vector<std::uint8_t>& active)
           needed[q] = 1;
   }
   return needed;
+}
+
+/** \brief Fits the profile polynomials of nodes. */
+std::vector<ProfilePolynomial>
+fitPolynomials (const PyramidLevel& level,
+                const std::vector<ScaleFit>& fits,
+                const std::vector<std::uint8_t>& needed,
+                int nodes_of_fit,
+                double elongation,
+                unsigned threads)
+{
+  std::vector<ProfilePolynomial> polynomials (level.size());
+  forEachBlock (
+      level.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        ProfileWindow window (level, fits, elongation);
+        for (std::size_t i = first; i < last; ++i)
+          if (needed[i] != 0 && fits[i].valid) {
+            const double spacing = fits[i].radius / std::sqrt (nodes_of_fit / M_PI);
+            polynomials[i] = window.fit (static_cast<index_t> (i), WINDOW * spacing);
+          }
+      });
+  return polynomials;
 }
 
 } // namespace
@@ -280,15 +210,32 @@ profileCrests (const OrientedPoints& points,
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
     for (; at_level < SCALES[scale].level; ++at_level)
       level = coarserLevel (level, threads);
+    const int nodes = SCALES[scale].nodes;
+    const bool samples = at_level == 0;
+    // Half a window, and for blending one more.
+    const int rings = samples ? 3 : static_cast<int> (WINDOW * ELONGATION) + 1;
     const std::vector<ScaleFit> fits =
-        fitAtScale (level, SCALES[scale].nodes, neededNodes (level, active), threads);
-    forEachBlock (
-        points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
-          ProfileFitter fitter (points, graph, level, fits, scale);
-          for (std::size_t i = first; i < last; ++i)
-            if (active[i] != 0)
-              active[i] = fitter.fit (static_cast<index_t> (i), profiles[i]) ? 1 : 0;
-        });
+        fitAtScale (level, nodes, neededNodes (level, active, rings), threads);
+
+    const auto readAll = [&] (double elongation, const ProfileErrors& errors) {
+      const std::vector<ProfilePolynomial> polynomials = fitPolynomials (
+          level, fits, neededNodes (level, active, 1), nodes, elongation, threads);
+      const ScaleProfiles from{scale, errors, level, fits, polynomials};
+      forEachBlock (points.size(),
+                    threads,
+                    [&] (std::size_t, std::size_t first, std::size_t last) {
+                      for (std::size_t i = first; i < last; ++i)
+                        if (active[i] != 0 && !readProfile (points,
+                                                            graph.spacing[i],
+                                                            from,
+                                                            static_cast<index_t> (i),
+                                                            profiles[i]))
+                          active[i] = 0;
+                    });
+    };
+    readAll (1.0, roundErrors (nodes));
+    if (!samples)
+      readAll (ELONGATION, elongatedErrors (nodes));
   }
   return profiles;
 }

@@ -22,6 +22,9 @@ struct CrestProfile {
   /** where along t1 |k1| has its maximum, from the sample, in the cloud's unit;
    * infinite where it has none */
   float foot = 0.0F;
+  /** how many standard errors the profile is from a constant one, with two degrees of
+   * freedom; 0 where it has no maximum or k1 is not certain */
+  float certainty = 0.0F;
   /** how many standard errors -k1'' is above zero, for the sign of k1 */
   float peak_z = 0.0F;
   /** q = -k1'' / |k1|^3, free of scale: 0 on a circle, about 3 on a gentle ridge */
@@ -42,7 +45,12 @@ struct CrestProfile {
 
 /** \brief Fits the profile of every sample, going from scale to scale, each larger than
  * the one before, until it is resolved, or the surface is flat, or of constant
- * curvature. Where it never is, the profile is that of the finest scale.
+ * curvature. Where it never is, the profile is that of the scale at which it is most
+ * certain.
+ *
+ * At coarser levels each scale has a second try: a window that is four times as long
+ * along the crest as across. What is seen in it is more certain, but has to be nearly
+ * straight.
  *
  * The smallest significant scale keeps sharp features sharp, and noise silent: where
  * curvature is constant, as on planes, spheres, cylinders and tori, none is

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "profile_blend.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+BlendedProfile
+blendProfiles (const Eigen::Vector3d& sample,
+               index_t node,
+               const PyramidLevel& level,
+               const std::vector<ScaleFit>& fits,
+               const std::vector<ProfilePolynomial>& polynomials)
+{
+  // In half widths of the window: one and a half spacings of the nodes.
+  constexpr double REACH = 0.6;
+  constexpr double SAME_DIRECTION = 0.8;
+  // The own node counts wherever its sample is.
+  constexpr double LEAST_WEIGHT = 1e-3;
+
+  const ScaleFit& own = fits[node];
+  const double window = polynomials[node].window;
+  BlendedProfile sum{0.0, 0.0, Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0}};
+  double weights = 0.0;
+  const auto add = [&] (index_t q, double least_weight) {
+    const ScaleFit& fit = fits[q];
+    const ProfilePolynomial& polynomial = polynomials[q];
+    if (!polynomial.valid)
+      return;
+    const Eigen::Vector3d e = sample - level.positions[q].cast<double>();
+    const double g =
+        std::max (0.0, 1.0 - e.squaredNorm() / (REACH * window * REACH * window));
+    const double w = std::max (g * g, least_weight);
+    const double turn = fit.t1.dot (own.t1);
+    if (w == 0.0 || fit.k1 * own.k1 <= 0.0 || std::abs (turn) < SAME_DIRECTION)
+      return;
+    const double sign = turn > 0.0 ? 1.0 : -1.0;
+    const double u = e.dot (fit.t1);
+    const double v = e.dot (fit.normal.cross (fit.t1));
+    const ProfileParabola at =
+        polynomial.at (u / polynomial.window, v / polynomial.window);
+    const double unit = window / polynomial.window;
+    sum.profile.slope += w * sign * unit * at.slope;
+    sum.profile.bend += w * unit * unit * at.bend;
+    sum.k1 += w * fit.k1;
+    sum.k2 += w * fit.k2;
+    sum.t1 += w * sign * fit.t1;
+    sum.height +=
+        w * (fit.offset - 0.5 * (fit.k1 * u * u + fit.k2 * v * v) - e.dot (fit.normal));
+    weights += w;
+  };
+  add (node, LEAST_WEIGHT);
+  for (const index_t q : level.graph.star (node))
+    add (q, 0.0);
+  return {sum.k1 / weights,
+          sum.k2 / weights,
+          sum.t1.normalized(),
+          sum.height / weights,
+          {sum.profile.slope / weights, sum.profile.bend / weights}};
+}
+
+} // namespace crest
+} // namespace pcl

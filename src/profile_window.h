@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the largest curvature runs around a node of a pyramid level.
+#pragma once
+
+#include <pcl_crest/scale_fit.h>
+
+#include "node_walk.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief The profile of |k1| along t1 at some place: c0 + slope u + bend u^2, u in
+ * units of the window.
+ */
+struct ProfileParabola {
+  double slope;
+  double bend;
+};
+
+/** \brief The largest curvature of the sign of k1 around a node as a polynomial of u
+ * along t1 and v along t2, both in units of the window.
+ */
+struct ProfilePolynomial {
+  static constexpr int TERMS = 7;
+
+  /** of 1, u, u^2, v, u v, v^2 and u v^2, the last 0 in a round window */
+  Eigen::Matrix<double, TERMS, 1> coefficients =
+      Eigen::Matrix<double, TERMS, 1>::Zero();
+  /** half its width along t1, in the cloud's unit */
+  double window = 0.0;
+  /** standard error of k1 in it */
+  double k1_error = 0.0;
+  bool valid = false;
+
+  ProfileParabola
+  at (double u, double v) const;
+};
+
+/** \brief Fits profile polynomials to the curvatures of one scale.
+ *
+ * In two dimensions, as t1 turns quickly near umbilics, where a fit along t1 alone
+ * finds ridges that are none.
+ */
+class ProfileWindow {
+public:
+  /** \param[in] elongation how many times longer the window is along the crest than
+   * across: 1, or what brings more nodes together where a crest is nearly straight
+   */
+  ProfileWindow (const PyramidLevel& level,
+                 const std::vector<ScaleFit>& fits,
+                 double elongation);
+
+  /** \brief Fits around a node, whose own fit has to be valid. Not valid where there is
+   * not something on both sides.
+   * \param[in] window half its width along t1
+   */
+  ProfilePolynomial
+  fit (index_t node, double window);
+
+private:
+  const PyramidLevel& level_;
+  const std::vector<ScaleFit>& fits_;
+  double elongation_;
+  NodeWalk walk_;
+};
+
+} // namespace crest
+} // namespace pcl
