@@ -74,7 +74,7 @@ classify (const OrientedPoints& points,
 }
 
 CrestType
-classify (const CrestProfile& profile, double spacing, double confidence)
+classify (const CrestProfile& profile, double spacing, bool resolved, double confidence)
 {
   // A half spacing is what a sample stands for; the rest is the error of the foot.
   constexpr double LARGEST_FOOT = 0.6;
@@ -86,7 +86,7 @@ classify (const CrestProfile& profile, double spacing, double confidence)
   constexpr double LARGEST_SHARPNESS = 115.0;
 
   const PrincipalCurvature& k = profile.curvature;
-  const bool peak = profile.resolved && profile.peak_z > confidence &&
+  const bool peak = resolved && profile.peak_z > confidence &&
                     std::abs (profile.foot) < LARGEST_FOOT * spacing;
   const bool distinct =
       profile.sharpness < LARGEST_SHARPNESS &&
@@ -136,7 +136,24 @@ classifyCrestPoints (const SurfaceGraph& graph,
   std::vector<CrestType> types;
   types.reserve (profiles.size());
   for (std::size_t i = 0; i < profiles.size(); ++i)
-    types.push_back (classify (profiles[i], graph.spacing[i], confidence));
+    types.push_back (
+        classify (profiles[i], graph.spacing[i], profiles[i].resolved, confidence));
+  return types;
+}
+
+std::vector<CrestType>
+likelyCrestPoints (const SurfaceGraph& graph,
+                   const std::vector<CrestProfile>& profiles,
+                   double confidence)
+{
+  constexpr float LIKELY_Z = 2.5F;
+  std::vector<CrestType> types;
+  types.reserve (profiles.size());
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    types.push_back (classify (profiles[i],
+                               graph.spacing[i],
+                               profiles[i].certainty > LIKELY_Z,
+                               0.5 * confidence));
   return types;
 }
 

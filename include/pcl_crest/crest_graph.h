@@ -41,14 +41,19 @@ crestEdges (const OrientedPoints& points,
             const SurfaceGraph& graph,
             const std::vector<Membership>& membership);
 
-/** \brief Takes back the growth onto points that no crest of this type is near to, as
- * their profiles tell: the foot is not within three spacings, or k1 has another sign.
+/** \brief Grows crest points along the crests that they are on: by all likely crest
+ * points that they are connected with through such (the hysteresis of Canny 1986), then
+ * as in the paper by the neighbours of both, but only where these are near to a crest
+ * of the type: with a foot within three spacings, and k1 of its sign.
+ *
+ * \param[in] likely_points of both types, as likelyCrestPoints finds them
  */
-void
-withdrawGrowth (const SurfaceGraph& graph,
-                const std::vector<CrestProfile>& profiles,
-                CrestType type,
-                std::vector<Membership>& membership);
+std::vector<Membership>
+growAlongCrests (const SurfaceGraph& graph,
+                 const std::vector<CrestProfile>& profiles,
+                 const std::vector<CrestType>& crest_points,
+                 const std::vector<CrestType>& likely_points,
+                 CrestType type);
 
 /** \brief The edges that can be part of a line, for points that stand where their
  * crests are: none that is long, and none that leads across the crest from one of two

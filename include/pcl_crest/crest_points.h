@@ -48,5 +48,14 @@ classifyCrestPoints (const SurfaceGraph& graph,
                      const std::vector<CrestProfile>& profiles,
                      double confidence);
 
+/** \brief The points that may be crest points, at half the confidence and wherever
+ * curvature cannot be told to be constant: too many to believe them by themselves, but
+ * they are good where they continue what is certain.
+ */
+std::vector<CrestType>
+likelyCrestPoints (const SurfaceGraph& graph,
+                   const std::vector<CrestProfile>& profiles,
+                   double confidence);
+
 } // namespace crest
 } // namespace pcl
