@@ -17,9 +17,16 @@ namespace {
 constexpr double LEAST_CREST_PART = 0.25;
 /** Least mean prominence. */
 constexpr double LEAST_PROMINENCE = 0.25;
+/** Least mean relief, in spacings: smaller is what is left of noise where it differs
+ * little from sample to sample, as that of registered or smoothed scans does. */
+constexpr double LEAST_RELIEF = 0.4;
+constexpr double LARGEST_RELIEF = 10.0;
+/** Least mean turn of the relief, as a part of that of the crest: the same on surfaces
+ * that are curved already, where a ripple makes a crest that turns by a lot. */
+constexpr double LEAST_RELIEF_TURN = 0.7;
 /** Certainty of a line against that of its points: a line is a lucky one of the very
  * many that noise could draw. */
-constexpr double LINE_CONFIDENCE = 6.0;
+constexpr double LINE_CONFIDENCE = 4.0;
 /** No point is believed to be more certain than this. */
 constexpr double LARGEST_Z = 30.0;
 
@@ -99,12 +106,33 @@ private:
   const std::vector<CrestProfile>& profiles_;
 };
 
+/** \brief What a crest adds to the surface around it: a wave whose curvature is the
+ * prominent part of k1, and whose k1'' is the crest's.
+ */
+struct Relief {
+  /** how far the surface turns across the wave, in degrees */
+  double turn;
+  /** its height, in spacings: that of a cosine, k^2 / |k''| */
+  double height;
+
+  Relief (const CrestProfile& profile, double prominence, double spacing)
+  : turn (turningAngle (profile.sharpness) * std::pow (prominence, 1.5))
+  , height (LARGEST_RELIEF)
+  {
+    const double steepness = std::abs (profile.curvature.k1) * profile.sharpness;
+    if (steepness > 0.0)
+      height = std::min (height, prominence * prominence / (steepness * spacing));
+  }
+};
+
 /** \brief What the crest points on a branch or line say together. */
 struct Summary {
   std::size_t points = 0;
   std::size_t crest_points = 0;
   double turning_angle = 0.0;
   double prominence = 0.0;
+  double relief_turn = 0.0;
+  double relief = 0.0;
 
   void
   add (const CrestEvidence& evidence, index_t point)
@@ -113,8 +141,13 @@ struct Summary {
     if (evidence.crest_points[point] == CrestType::NONE)
       return;
     ++crest_points;
-    turning_angle += turningAngle (evidence.profiles[point].sharpness);
-    prominence += std::min (1.0F, evidence.prominence[point]);
+    const CrestProfile& profile = evidence.profiles[point];
+    const double p = std::clamp (evidence.prominence[point], 0.0F, 1.0F);
+    const Relief wave (profile, p, evidence.graph.spacing[point]);
+    turning_angle += turningAngle (profile.sharpness);
+    prominence += p;
+    relief_turn += wave.turn;
+    relief += wave.height;
   }
 
   bool
@@ -123,6 +156,8 @@ struct Summary {
     const auto count = static_cast<double> (crest_points);
     return crest_points > 0 && turning_angle >= angle * count &&
            prominence >= LEAST_PROMINENCE * count &&
+           relief_turn >= LEAST_RELIEF_TURN * angle * count &&
+           relief >= LEAST_RELIEF * count &&
            count >= LEAST_CREST_PART * static_cast<double> (points);
   }
 };
