@@ -5,6 +5,7 @@
 #include <pcl_crest/crest_loops.h>
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
+#include <pcl_crest/line_smoothing.h>
 
 #include <algorithm>
 #include <iterator>
@@ -63,9 +64,12 @@ significantLinesOf (const OrientedPoints& points,
   constexpr float LONGEST_BRANCH = 1.5F;
   constexpr float LONGEST_CUT_LOOP = 6.0F;
 
-  std::vector<Membership> members =
-      growRegions (shape.graph, shape.curvature, evidence.crest_points, type);
-  withdrawGrowth (shape.graph, shape.profiles, type, members);
+  const std::vector<Membership> members = growAlongCrests (
+      shape.graph,
+      shape.profiles,
+      evidence.crest_points,
+      likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence),
+      type);
   watch.stageDone ("region growing");
   const std::vector<CrestEdge> edges = admissibleEdges (
       points, shape.graph, shape.profiles, crestEdges (points, shape.graph, members));
@@ -142,6 +146,8 @@ extractCrests (const OrientedPoints& points,
       if (parameters.wanted[type])
         take (type,
               significantLinesOf (where, shape, evidence, type, parameters, watch));
+    smoothLines (crests.lines, shape.profiles, shape.graph, where);
+    watch.stageDone ("smoothing");
     measureProfiles (shape.profiles, crests.points, crests.lines);
     if (parameters.positions == Positions::SAMPLES)
       where = points;
