@@ -26,34 +26,8 @@ constexpr std::array<Scale, 7> SCALES{
     {{0, 28}, {1, 28}, {1, 44}, {1, 70}, {2, 28}, {2, 44}, {2, 70}}};
 constexpr int COARSEST_LEVEL = SCALES.back().level;
 
-/** The profile's window, in spacings of the nodes. */
-constexpr double WINDOW = 2.5;
-
 /** Along the crest the elongated window is longer than it is wide by this. */
 constexpr double ELONGATION = 4.0;
-
-/** \brief Standard errors of a profile's slope and bend against the standard error of
- * k1. Neighbouring fits share most of their nodes, and neighbouring polynomials are
- * blended, so that the ratio cannot be had from the profile's own fit; these give both
- * z about unit variance on noisy cylinders (test_scale_fit measures it): powers of the
- * number of nodes through what was measured there.
- */
-struct ProfileErrors {
-  double slope;
-  double bend;
-};
-
-ProfileErrors
-roundErrors (int nodes)
-{
-  return {1.55 * std::pow (nodes / 28.0, 0.1), 2.4 * std::pow (28.0 / nodes, 0.35)};
-}
-ProfileErrors
-elongatedErrors (int nodes)
-{
-  const ProfileErrors round = roundErrors (nodes);
-  return {0.72 * round.slope, 0.57 * round.bend};
-}
 
 /** A profile is significantly not constant from this z on, with two degrees of freedom:
  * by chance in 3e-4 of the samples, each scale. */
@@ -105,7 +79,7 @@ readProfile (const OrientedPoints& points,
                                               from.polynomials);
   const ProfileParabola& c = blend.profile;
   const double window = polynomial.window;
-  const double k1 = std::abs (blend.k1);
+  const double k1 = std::abs (own.k1);
   // Without any noise only rounding is left.
   const double error = std::max (polynomial.k1_error, 1e-9 / window);
   const double slope_z = c.slope / (from.errors.slope * error);
@@ -135,8 +109,8 @@ readProfile (const OrientedPoints& points,
   if (first)
     profile.noise = static_cast<float> (own.noise);
   if (first || last || certainty > profile.certainty) {
-    profile.curvature = {static_cast<float> (blend.k1),
-                         static_cast<float> (blend.k2),
+    profile.curvature = {static_cast<float> (own.k1),
+                         static_cast<float> (own.k2),
                          blend.t1.cast<float>(),
                          true};
     profile.normal = own.normal.cast<float>();
@@ -174,28 +148,6 @@ neededNodes (const PyramidLevel& level,
   return needed;
 }
 
-/** \brief Fits the profile polynomials of nodes. */
-std::vector<ProfilePolynomial>
-fitPolynomials (const PyramidLevel& level,
-                const std::vector<ScaleFit>& fits,
-                const std::vector<std::uint8_t>& needed,
-                int nodes_of_fit,
-                double elongation,
-                unsigned threads)
-{
-  std::vector<ProfilePolynomial> polynomials (level.size());
-  forEachBlock (
-      level.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
-        ProfileWindow window (level, fits, elongation);
-        for (std::size_t i = first; i < last; ++i)
-          if (needed[i] != 0 && fits[i].valid) {
-            const double spacing = fits[i].radius / std::sqrt (nodes_of_fit / M_PI);
-            polynomials[i] = window.fit (static_cast<index_t> (i), WINDOW * spacing);
-          }
-      });
-  return polynomials;
-}
-
 } // namespace
 
 std::vector<CrestProfile>
@@ -212,15 +164,21 @@ profileCrests (const OrientedPoints& points,
       level = coarserLevel (level, threads);
     const int nodes = SCALES[scale].nodes;
     const bool samples = at_level == 0;
-    // Half a window, and for blending one more.
-    const int rings = samples ? 3 : static_cast<int> (WINDOW * ELONGATION) + 1;
+    // Half a window, and one more ring for blending.
+    const int rings = ringsOfWindow (samples ? 1.0 : ELONGATION) + 1;
     const std::vector<ScaleFit> fits =
         fitAtScale (level, nodes, neededNodes (level, active, rings), threads);
 
-    const auto readAll = [&] (double elongation, const ProfileErrors& errors) {
-      const std::vector<ProfilePolynomial> polynomials = fitPolynomials (
-          level, fits, neededNodes (level, active, 1), nodes, elongation, threads);
-      const ScaleProfiles from{scale, errors, level, fits, polynomials};
+    const auto readAll = [&] (bool elongated) {
+      const std::vector<ProfilePolynomial> polynomials =
+          fitPolynomials (level,
+                          fits,
+                          neededNodes (level, active, 1),
+                          nodes,
+                          elongated ? ELONGATION : 1.0,
+                          threads);
+      const ScaleProfiles from{
+          scale, profileErrors (nodes, elongated), level, fits, polynomials};
       forEachBlock (points.size(),
                     threads,
                     [&] (std::size_t, std::size_t first, std::size_t last) {
@@ -233,9 +191,9 @@ profileCrests (const OrientedPoints& points,
                           active[i] = 0;
                     });
     };
-    readAll (1.0, roundErrors (nodes));
+    readAll (false);
     if (!samples)
-      readAll (ELONGATION, elongatedErrors (nodes));
+      readAll (true);
   }
   return profiles;
 }

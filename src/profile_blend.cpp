@@ -24,7 +24,7 @@ blendProfiles (const Eigen::Vector3d& sample,
 
   const ScaleFit& own = fits[node];
   const double window = polynomials[node].window;
-  BlendedProfile sum{0.0, 0.0, Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0}};
+  BlendedProfile sum{Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0}};
   double weights = 0.0;
   const auto add = [&] (index_t q, double least_weight) {
     const ScaleFit& fit = fits[q];
@@ -46,8 +46,6 @@ blendProfiles (const Eigen::Vector3d& sample,
     const double unit = window / polynomial.window;
     sum.profile.slope += w * sign * unit * at.slope;
     sum.profile.bend += w * unit * unit * at.bend;
-    sum.k1 += w * fit.k1;
-    sum.k2 += w * fit.k2;
     sum.t1 += w * sign * fit.t1;
     sum.height +=
         w * (fit.offset - 0.5 * (fit.k1 * u * u + fit.k2 * v * v) - e.dot (fit.normal));
@@ -56,11 +54,17 @@ blendProfiles (const Eigen::Vector3d& sample,
   add (node, LEAST_WEIGHT);
   for (const index_t q : level.graph.star (node))
     add (q, 0.0);
-  return {sum.k1 / weights,
-          sum.k2 / weights,
-          sum.t1.normalized(),
+  return {sum.t1.normalized(),
           sum.height / weights,
           {sum.profile.slope / weights, sum.profile.bend / weights}};
+}
+
+ProfileErrors
+profileErrors (int nodes_of_fit, bool elongated)
+{
+  const ProfileErrors round{1.65 * std::pow (nodes_of_fit / 28.0, 0.1),
+                            2.1 * std::pow (28.0 / nodes_of_fit, 0.15)};
+  return elongated ? ProfileErrors{0.72 * round.slope, 0.57 * round.bend} : round;
 }
 
 } // namespace crest

@@ -7,10 +7,8 @@
 namespace pcl {
 namespace crest {
 
-/** \brief The surface and its profile at a sample, k1 with the sign of its node's. */
+/** \brief The surface and its profile at a sample. */
 struct BlendedProfile {
-  double k1;
-  double k2;
   Eigen::Vector3d t1;
   /** of the surface over the sample, along the normal of its node */
   double height;
@@ -31,6 +29,19 @@ blendProfiles (const Eigen::Vector3d& sample,
                const PyramidLevel& level,
                const std::vector<ScaleFit>& fits,
                const std::vector<ProfilePolynomial>& polynomials);
+
+/** \brief Standard errors of a blended profile's slope and bend against the standard
+ * error of k1. Neighbouring fits share most of their nodes, and neighbouring
+ * polynomials are blended, so that the ratio cannot be had from the profile's own fit;
+ * these give both z about unit variance on noisy cylinders: powers of the number of
+ * nodes of a fit, through what was measured there (test_profile_blend).
+ */
+struct ProfileErrors {
+  double slope;
+  double bend;
+};
+ProfileErrors
+profileErrors (int nodes_of_fit, bool elongated);
 
 } // namespace crest
 } // namespace pcl

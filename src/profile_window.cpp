@@ -3,6 +3,9 @@
 
 #include <Eigen/Dense>
 
+#include "node_walk.h"
+#include "parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,41 +14,35 @@ namespace crest {
 
 namespace {
 
+/** Half the window's width, in spacings of the nodes. */
+constexpr double WINDOW = 2.5;
+
 /** Fewer nodes than this tell nothing about a profile, nor fewer beside the middle on
  * either side of it: there data ends. */
 constexpr int LEAST_NODES = 8;
 constexpr int LEAST_BESIDE = 2;
 constexpr double BESIDE = 0.1;
 
-} // namespace
-
-ProfileParabola
-ProfilePolynomial::at (double u, double v) const
-{
-  const auto& c = coefficients;
-  return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v, c[2]};
-}
-
-ProfileWindow::ProfileWindow (const PyramidLevel& level,
-                              const std::vector<ScaleFit>& fits,
-                              double elongation)
-: level_ (level), fits_ (fits), elongation_ (elongation), walk_ (level.graph)
-{}
-
+/** \brief The polynomial of one node. */
 ProfilePolynomial
-ProfileWindow::fit (index_t node, double window)
+fitPolynomial (const PyramidLevel& level,
+               const std::vector<ScaleFit>& fits,
+               double elongation,
+               double window,
+               index_t node,
+               NodeWalk& walk)
 {
   constexpr int TERMS = ProfilePolynomial::TERMS;
   using Row = Eigen::Matrix<double, TERMS, 1>;
 
-  const ScaleFit& own = fits_[node];
+  const ScaleFit& own = fits[node];
   const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
   const Eigen::Vector3d t2 = own.normal.cross (own.t1);
   const auto surface = [&] (index_t q) -> Eigen::Vector3d {
-    return level_.positions[q].cast<double>() + fits_[q].offset * fits_[q].normal;
+    return level.positions[q].cast<double>() + fits[q].offset * fits[q].normal;
   };
   const Eigen::Vector3d origin = surface (node);
-  const bool round = elongation_ == 1.0;
+  const bool round = elongation == 1.0;
 
   Eigen::Matrix<double, TERMS, TERMS> matrix =
       Eigen::Matrix<double, TERMS, TERMS>::Zero();
@@ -57,20 +54,20 @@ ProfileWindow::fit (index_t node, double window)
   int behind = 0;
 
   const auto any = [] (index_t) { return true; };
-  walk_.start (node);
-  const std::vector<index_t>& reached = walk_.reached();
+  walk.start (node);
+  const std::vector<index_t>& reached = walk.reached();
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const index_t q = reached[i];
-    const ScaleFit& fit = fits_[q];
+    const ScaleFit& fit = fits[q];
     if (!fit.valid || fit.normal.dot (own.normal) < SAME_SHEET_COSINE)
       continue;
     const Eigen::Vector3d d = (surface (q) - origin) / window;
     const double u = d.dot (own.t1);
     const double g =
-        1.0 - u * u - (d.squaredNorm() - u * u) / (elongation_ * elongation_);
+        1.0 - u * u - (d.squaredNorm() - u * u) / (elongation * elongation);
     if (g <= 0.0)
       continue;
-    walk_.expand (q, any);
+    walk.expand (q, any);
     const double v = d.dot (t2);
     const double w = g * g;
     Row row;
@@ -93,6 +90,47 @@ ProfileWindow::fit (index_t node, double window)
   result.k1_error = std::sqrt (variance / weight);
   result.valid = result.coefficients.allFinite();
   return result;
+}
+
+} // namespace
+
+ProfileParabola
+ProfilePolynomial::at (double u, double v) const
+{
+  const auto& c = coefficients;
+  return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v, c[2]};
+}
+
+std::vector<ProfilePolynomial>
+fitPolynomials (const PyramidLevel& level,
+                const std::vector<ScaleFit>& fits,
+                const std::vector<std::uint8_t>& needed,
+                int nodes_of_fit,
+                double elongation,
+                unsigned threads)
+{
+  std::vector<ProfilePolynomial> polynomials (level.size());
+  forEachBlock (
+      level.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        NodeWalk walk (level.graph);
+        for (std::size_t i = first; i < last; ++i)
+          if (needed[i] != 0 && fits[i].valid) {
+            const double spacing = fits[i].radius / std::sqrt (nodes_of_fit / M_PI);
+            polynomials[i] = fitPolynomial (level,
+                                            fits,
+                                            elongation,
+                                            WINDOW * spacing,
+                                            static_cast<index_t> (i),
+                                            walk);
+          }
+      });
+  return polynomials;
+}
+
+int
+ringsOfWindow (double elongation)
+{
+  return static_cast<int> (std::ceil (WINDOW * elongation));
 }
 
 } // namespace crest

@@ -4,8 +4,6 @@
 
 #include <pcl_crest/scale_fit.h>
 
-#include "node_walk.h"
-
 namespace pcl {
 namespace crest {
 
@@ -36,33 +34,28 @@ struct ProfilePolynomial {
   at (double u, double v) const;
 };
 
-/** \brief Fits profile polynomials to the curvatures of one scale.
+/** \brief Fits the profile polynomial of each node that is needed, in a window of two
+ * and a half spacings of the nodes to both sides. Not valid where the node's own fit is
+ * not, or where there is not something on both sides.
  *
  * In two dimensions, as t1 turns quickly near umbilics, where a fit along t1 alone
  * finds ridges that are none.
+ *
+ * \param[in] nodes_of_fit how many nodes each of the fits has taken
+ * \param[in] elongation how many times longer the window is along the crest than
+ * across: 1, or what brings more nodes together where a crest is nearly straight
  */
-class ProfileWindow {
-public:
-  /** \param[in] elongation how many times longer the window is along the crest than
-   * across: 1, or what brings more nodes together where a crest is nearly straight
-   */
-  ProfileWindow (const PyramidLevel& level,
-                 const std::vector<ScaleFit>& fits,
-                 double elongation);
+std::vector<ProfilePolynomial>
+fitPolynomials (const PyramidLevel& level,
+                const std::vector<ScaleFit>& fits,
+                const std::vector<std::uint8_t>& needed,
+                int nodes_of_fit,
+                double elongation,
+                unsigned threads);
 
-  /** \brief Fits around a node, whose own fit has to be valid. Not valid where there is
-   * not something on both sides.
-   * \param[in] window half its width along t1
-   */
-  ProfilePolynomial
-  fit (index_t node, double window);
-
-private:
-  const PyramidLevel& level_;
-  const std::vector<ScaleFit>& fits_;
-  double elongation_;
-  NodeWalk walk_;
-};
+/** \brief How many rings of nodes a window reaches. */
+int
+ringsOfWindow (double elongation);
 
 } // namespace crest
 } // namespace pcl

@@ -7,55 +7,16 @@
 
 #include "support/crest_truth.h"
 #include "support/noisy_cloud.h"
-#include "support/surface_stages.h"
+#include "support/scale_fits.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace pcl::crest;
+using oracle::fitsAt;
+using oracle::median;
+using oracle::variance;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
-
-namespace {
-
-struct Fits {
-  PyramidLevel level;
-  std::vector<ScaleFit> fits;
-};
-
-Fits
-fitsAt (const Cloud& cloud, int number, int nearest)
-{
-  const oracle::SurfaceStages stages = oracle::surfaceStages (cloud);
-  Fits result;
-  result.level = finestLevel (stages.points, stages.graph);
-  for (int i = 0; i < number; ++i)
-    result.level = coarserLevel (result.level, 0);
-  result.fits = fitAtScale (
-      result.level, nearest, std::vector<std::uint8_t> (result.level.size(), 1), 0);
-  return result;
-}
-
-double
-median (std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
-}
-
-double
-variance (const std::vector<double>& values)
-{
-  double mean = 0.0;
-  double squares = 0.0;
-  for (const double x : values)
-    mean += x / static_cast<double> (values.size());
-  for (const double x : values)
-    squares += (x - mean) * (x - mean);
-  return squares / static_cast<double> (values.size() - 1);
-}
-
-} // namespace
 
 TEST (ScaleFit, FindsTheCurvatureOfATorus)
 {
@@ -63,7 +24,7 @@ TEST (ScaleFit, FindsTheCurvatureOfATorus)
   const Cloud::Ptr cloud = oracle::sample (oracle::torus (1.0, 0.4), 12000);
   for (const auto& [number, nearest] :
        std::vector<std::pair<int, int>>{{0, 28}, {1, 28}, {1, 70}}) {
-    const Fits run = fitsAt (*cloud, number, nearest);
+    const oracle::ScaleFits run = fitsAt (*cloud, number, nearest);
     std::vector<double> k1_errors;
     std::vector<double> k2_errors;
     std::vector<double> t1_errors;
@@ -90,7 +51,7 @@ TEST (ScaleFit, LiesNearerToTheSurfaceThanItsNode)
 {
   const Cloud::Ptr exact = oracle::sample (oracle::sphere (1.0), 8000);
   const double noise = 0.3 * oracle::meanSpacing (*exact);
-  const Fits run = fitsAt (*oracle::withNoise (*exact, noise), 0, 28);
+  const oracle::ScaleFits run = fitsAt (*oracle::withNoise (*exact, noise), 0, 28);
   std::vector<double> node;
   std::vector<double> fit;
   for (std::size_t i = 0; i < run.fits.size(); ++i) {
@@ -118,7 +79,7 @@ TEST (ScaleFit, ErrorsAreThoseOfNoisyCylinders)
                         Case{1, 44, 0.2},
                         Case{1, 70, 0.2}}) {
     const Cloud::Ptr cloud = oracle::withNoise (*exact, c.noise * h);
-    const Fits run = fitsAt (*cloud, c.level, c.nearest);
+    const oracle::ScaleFits run = fitsAt (*cloud, c.level, c.nearest);
     std::vector<double> z;
     std::vector<double> noises;
     for (std::size_t i = 0; i < run.fits.size(); ++i)
@@ -132,25 +93,16 @@ TEST (ScaleFit, ErrorsAreThoseOfNoisyCylinders)
   }
 }
 
-TEST (CrestProfile, PeaksOnNoisyCylindersAreChance)
+TEST (CrestProfile, NoisyCylindersAreNotResolved)
 {
   const Cloud::Ptr exact = oracle::sample (oracle::cylinder (0.2), 20000);
   const double h = oracle::meanSpacing (*exact);
   for (const double noise : {0.005, 0.01, 0.2}) {
     const oracle::SurfaceStages stages =
         oracle::surfaceStages (*oracle::withNoise (*exact, noise * h));
-    std::vector<double> z;
     std::size_t resolved = 0;
-    for (const CrestProfile& profile : profileCrests (stages.points, stages.graph, 0)) {
-      if (profile.scale == 0)
-        z.push_back (profile.peak_z);
+    for (const CrestProfile& profile : profileCrests (stages.points, stages.graph, 0))
       resolved += profile.resolved ? 1 : 0;
-    }
-    // Where the noise is larger, k1 at this scale is the larger of two uncertain ones.
-    if (noise < 0.1) {
-      EXPECT_GT (variance (z), 0.7) << noise;
-      EXPECT_LT (variance (z), 1.4) << noise;
-    }
     EXPECT_LT (resolved, stages.points.size() / 50) << noise;
   }
 }
