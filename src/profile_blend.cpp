@@ -16,8 +16,8 @@ blendProfiles (const Eigen::Vector3d& sample,
                const std::vector<ScaleFit>& fits,
                const std::vector<ProfilePolynomial>& polynomials)
 {
-  // In half widths of the window: one and a half spacings of the nodes.
-  constexpr double REACH = 0.6;
+  // In half widths of the window: one and a quarter spacings of the nodes.
+  constexpr double REACH = 0.5;
   constexpr double SAME_DIRECTION = 0.8;
   // The own node counts wherever its sample is.
   constexpr double LEAST_WEIGHT = 1e-3;
@@ -63,8 +63,8 @@ ProfileErrors
 profileErrors (int nodes_of_fit, bool elongated)
 {
   const ProfileErrors round{1.65 * std::pow (nodes_of_fit / 28.0, 0.1),
-                            2.1 * std::pow (28.0 / nodes_of_fit, 0.15)};
-  return elongated ? ProfileErrors{0.72 * round.slope, 0.57 * round.bend} : round;
+                            2.35 * std::pow (28.0 / nodes_of_fit, 0.15)};
+  return elongated ? ProfileErrors{0.68 * round.slope, 0.6 * round.bend} : round;
 }
 
 } // namespace crest
