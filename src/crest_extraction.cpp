@@ -77,7 +77,12 @@ significantLinesOf (const OrientedPoints& points,
   watch.stageDone ("spanning forest");
   net = closeLoops (points, edges, radii (shape.profiles, LONGEST_CUT_LOOP), net);
   watch.stageDone ("loops");
-  const std::vector<float> branch_limits = radii (shape.profiles, LONGEST_BRANCH);
+  // What is too short for a line is too short for a branch.
+  std::vector<float> branch_limits = radii (shape.profiles, LONGEST_BRANCH);
+  for (std::size_t i = 0; i < branch_limits.size(); ++i)
+    branch_limits[i] =
+        std::max (branch_limits[i],
+                  static_cast<float> (parameters.min_length) * shape.graph.spacing[i]);
   net = pruneShortBranches (points, net, branch_limits);
   watch.stageDone ("pruning");
   net = significantBranches (points, evidence, net, branch_limits, parameters.angle);

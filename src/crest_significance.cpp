@@ -270,7 +270,7 @@ significantBranches (const OrientedPoints& points,
   }
   Forest graph (edges);
   trimGrowth (evidence, graph);
-  return graph.remaining (edges);
+  return pruneShortBranches (points, graph.remaining (edges), limits);
 }
 
 std::vector<CrestLine>
