@@ -96,8 +96,11 @@ public:
     const Eigen::Vector3d x = onSurface (sample, node);
     Coefficients c;
     double error = 0.0;
-    if (!fitWindow (node, x, window, c, error))
+    if (!fitWindow (node, x, window, c, error)) {
+      if (!profile.curvature.valid)
+        describe (sample, own, x, profile);
       return true;
+    }
 
     const double spacing = graph_.spacing[sample];
     const double k1 = std::abs (own.k1);
@@ -127,18 +130,11 @@ public:
     if (resolved || profile.scale == CrestProfile::NO_SCALE) {
       if (profile.scale == CrestProfile::NO_SCALE)
         profile.noise = static_cast<float> (own.noise);
-      const Eigen::Vector3d p = points_.positions[sample].cast<double>();
-      profile.curvature = {static_cast<float> (own.k1),
-                           static_cast<float> (own.k2),
-                           own.t1.cast<float>(),
-                           true};
-      profile.normal = own.normal.cast<float>();
-      profile.height = static_cast<float> ((x - p).dot (own.normal));
+      describe (sample, own, x, profile);
       profile.foot = static_cast<float> (foot);
       profile.peak_z = static_cast<float> (peak_z);
       profile.sharpness = static_cast<float> (sharpness);
       profile.fall = static_cast<float> (-c[2] / k1);
-      profile.radius = static_cast<float> (own.radius);
       profile.scale = scale_;
       profile.resolved = resolved;
       profile.coarsest_level = SCALES[scale_].level == COARSEST_LEVEL;
@@ -150,6 +146,23 @@ private:
   static constexpr int TERMS = 6;
   using Coefficients = Eigen::Matrix<double, TERMS, 1>;
   using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
+
+  /** \brief Enters what the fit alone tells, the surface being at x. */
+  void
+  describe (index_t sample,
+            const ScaleFit& own,
+            const Eigen::Vector3d& x,
+            CrestProfile& profile) const
+  {
+    const Eigen::Vector3d p = points_.positions[sample].cast<double>();
+    profile.curvature = {static_cast<float> (own.k1),
+                         static_cast<float> (own.k2),
+                         own.t1.cast<float>(),
+                         true};
+    profile.normal = own.normal.cast<float>();
+    profile.height = static_cast<float> ((x - p).dot (own.normal));
+    profile.radius = static_cast<float> (own.radius);
+  }
 
   /** \brief Where the node's paraboloid passes the sample. */
   Eigen::Vector3d

@@ -5,6 +5,8 @@
 
 #include <pcl_crest/curvature.h>
 
+#include <limits>
+
 namespace pcl {
 namespace crest {
 
@@ -21,7 +23,7 @@ struct CrestProfile {
   float height = 0.0F;
   /** where along t1 |k1| has its maximum, from the sample, in the cloud's unit;
    * infinite where it has none */
-  float foot = 0.0F;
+  float foot = std::numeric_limits<float>::infinity();
   /** how many standard errors -k1'' is above zero, for the sign of k1 */
   float peak_z = 0.0F;
   /** q = -k1'' / |k1|^3, free of scale: 0 on a circle, about 3 on a gentle ridge */
@@ -32,7 +34,8 @@ struct CrestProfile {
   float noise = 0.0F;
   /** of the neighbourhood that the curvature was fitted to, in the cloud's unit */
   float radius = 0.0F;
-  /** index of the scale, from the finest, or NO_SCALE where nothing could be fitted */
+  /** index of the scale, from the finest, or NO_SCALE where there was nothing beside
+   * the sample at any, as at a border: then there is curvature, but no profile */
   int scale = NO_SCALE;
   /** whether the profile is significantly not constant */
   bool resolved = false;
