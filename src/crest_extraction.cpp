@@ -113,7 +113,7 @@ extractCrests (const OrientedPoints& points,
   const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {
     crests.sizes[type] = lineSizes (lines);
     lines = removeSmallLines (std::move (lines),
-                              static_cast<std::size_t> (parameters.min_size[type]));
+                              static_cast<std::size_t> (minSize (parameters, type)));
     std::move (lines.begin(), lines.end(), std::back_inserter (crests.lines));
     watch.stageDone ("lines");
   };

@@ -37,16 +37,8 @@ struct Extraction {
   Cloud::ConstPtr line_cloud;
 };
 
-Parameters
-autoParameters ()
-{
-  Parameters parameters;
-  parameters.preset = Preset::AUTO;
-  return parameters;
-}
-
 Extraction
-extract (const Cloud::ConstPtr& cloud, const Parameters& parameters = autoParameters())
+extract (const Cloud::ConstPtr& cloud, const Parameters& parameters = Parameters())
 {
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   estimation.setInputCloud (cloud);
@@ -246,7 +238,7 @@ TEST (AutoLines, MeasuresAreThoseOfTheSurface)
 TEST (AutoLines, RunAlongSamplesOnRequest)
 {
   const Cloud::Ptr cloud = oracle::sample (oracle::ellipticTorus(), 8000);
-  Parameters parameters = autoParameters();
+  Parameters parameters;
   const Extraction crest = extract (cloud, parameters);
   parameters.positions = Positions::SAMPLES;
   const Extraction samples = extract (cloud, parameters);
@@ -266,25 +258,16 @@ TEST (AutoParameters, AngleLengthAndConfidenceOnlyRemove)
   const Cloud::Ptr cloud =
       oracle::withNoise (*exact, 0.2 * oracle::meanSpacing (*exact));
   const double usual = totalLength (extract (cloud).lines);
-  Parameters parameters = autoParameters();
+  Parameters parameters;
   parameters.angle = 90.0;
   EXPECT_LT (totalLength (extract (cloud, parameters).lines), usual);
-  parameters = autoParameters();
+  parameters = Parameters();
   parameters.min_length = 40.0;
   for (const CrestLine& line : extract (cloud, parameters).lines)
     EXPECT_GT (line.length, 30.0 * oracle::meanSpacing (*cloud));
-  parameters = autoParameters();
+  parameters = Parameters();
   parameters.confidence = 6.0;
   EXPECT_LT (totalLength (extract (cloud, parameters).lines), usual);
-}
-
-TEST (AutoParameters, MIsRefused)
-{
-  Parameters parameters = autoParameters();
-  parameters.maximality = {1.0, 1.0};
-  EXPECT_NE (explainInvalid (parameters).find ("belongs to the preset paper"),
-             std::string::npos);
-  EXPECT_TRUE (explainInvalid (autoParameters()).empty());
 }
 
 class AutoInvariance : public testing::Test {
@@ -306,7 +289,7 @@ protected:
 
 TEST_F (AutoInvariance, Threads)
 {
-  Parameters parameters = autoParameters();
+  Parameters parameters;
   parameters.threads = 1;
   const Extraction one = extract (cloud_, parameters);
   parameters.threads = 3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole method against the exact crest lines of analytic surfaces, and what must
-// not change the result.
+// The paper's whole method against the exact crest lines of analytic surfaces, and what
+// must not change the result.
 #include <pcl_crest/crest_line_estimation.h>
 
 #include <gtest/gtest.h>
@@ -182,6 +182,7 @@ TEST (Method, RingIsOneClosedLine)
   const oracle::AnalyticSurface surface = oracle::ellipticTorus();
   const Cloud::Ptr cloud = oracle::sample (surface, 5000);
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.absolute_maximality = true;
   parameters.maximality = {0.3, 0.3};
   const Extraction run = extract (cloud, parameters);

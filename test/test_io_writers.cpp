@@ -269,6 +269,7 @@ TEST_F (IoWriters, StatisticsAreThoseOfTheRun)
   input.normals = NormalSource::FACES;
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.min_size = {12, 15};
   parameters.maximality.valley = 0.5;
   parameters.threads = 2;

@@ -76,6 +76,7 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
 {
   const std::vector<std::string> names{"c.pcd", "l.obj", "o.pcd", "s.json"};
   const Outcome result = run ({input(),       outputs_.file ("o.pcd"),
+                               "-preset",     "paper",
                                "-M_ridge",    "0.4",
                                "-M",          "0.2",
                                "-S",          "12",
@@ -98,6 +99,7 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
   std::string error;
   ASSERT_TRUE (readCloud (input(), 20, 1, cloud, error)) << error;
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.maximality = {0.4, 0.2};
   parameters.min_size = {12, 14};
   parameters.k = 20;
@@ -157,10 +159,14 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
   for (const pcl::PointNormal& p : *cloud_)
     box.extend (p.getVector3fMap());
   const double tenth = box.sizes().maxCoeff() / 10.0;
-  const auto relative = labelsOf ({"-M", "0.5"});
+  const auto relative = labelsOf ({"-preset", "paper", "-M", "0.5"});
   EXPECT_EQ (relative,
-             labelsOf ({"-absolute", "-M", std::to_string (0.5 / (tenth * tenth))}));
-  EXPECT_NE (relative, both);
+             labelsOf ({"-preset",
+                        "paper",
+                        "-absolute",
+                        "-M",
+                        std::to_string (0.5 / (tenth * tenth))}));
+  EXPECT_NE (relative, labelsOf ({"-preset", "paper"}));
   // No point has neighbours within so small a radius.
   EXPECT_EQ (cloud_->size(), labelsOf ({"-radius", "1e-6"})[LABEL_INVALID]);
 }
@@ -213,10 +219,10 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-radius", "0"}, "above 0");
   expectUsageError ({in, out, "-radius", "nan"}, "above 0");
   expectUsageError ({in, out, "-M", "0,5"}, "must be a number");
-  expectUsageError ({in, out, "-M_valley", "-1"}, "M is -1");
-  expectUsageError ({in, out, "-M", "nan"}, "M is nan");
+  expectUsageError ({in, out, "-preset", "paper", "-M_valley", "-1"}, "M is -1");
+  expectUsageError ({in, out, "-preset", "paper", "-M", "nan"}, "M is nan");
   expectUsageError ({in, out, "-S_ridge", "-2"}, "S is -2");
-  expectUsageError ({in, out, "-prune", "-1"}, "-1");
+  expectUsageError ({in, out, "-preset", "paper", "-prune", "-1"}, "-1");
   expectUsageError ({in, out, "-type", "creases"}, "ridges, valleys or both");
   expectUsageError ({in, out, "-threads", "-1"}, "not negative");
   expectUsageError ({in, out, "-threads", "99999"}, "at most");

@@ -52,8 +52,8 @@ describe (const Parameters& p)
     json["confidence"] = p.confidence;
     json["positions"] = p.positions == Positions::CREST ? "crest" : "samples";
   }
-  json["S_ridge"] = p.min_size.ridge;
-  json["S_valley"] = p.min_size.valley;
+  json["S_ridge"] = minSize (p, CrestType::RIDGE);
+  json["S_valley"] = minSize (p, CrestType::VALLEY);
   json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
                  : p.wanted.ridge                  ? "ridges"
                                                    : "valleys";
