@@ -154,7 +154,7 @@ extractCrests (const OrientedPoints& points,
 std::vector<Label>
 labelPoints (const SurfaceShape& shape,
              const Crests& crests,
-             const PerType<bool>& wanted)
+             const Parameters& parameters)
 {
   std::vector<Label> labels (crests.points.size(), LABEL_NONE);
   std::vector<const CrestLine*> smallest_first;
@@ -174,8 +174,11 @@ labelPoints (const SurfaceShape& shape,
     const CrestType type = crests.points[i];
     if (!shape.curvature[i].valid)
       labels[i] = LABEL_INVALID;
-    else if (type != CrestType::NONE && wanted[type])
+    else if (type != CrestType::NONE && parameters.wanted[type])
       labels[i] = type == CrestType::RIDGE ? LABEL_RIDGE : LABEL_VALLEY;
+    else if (labels[i] == LABEL_NONE && parameters.boundaries &&
+             shape.graph.boundary[i] != 0)
+      labels[i] = LABEL_BOUNDARY;
   }
   return labels;
 }

@@ -199,7 +199,7 @@ main (int argc, char** argv)
            "normals are used, else those of its faces, else they are estimated.\n"
            "OUTPUT.pcd gets each point with its normal, its largest principal\n"
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
-           "a ridge or valley line by growth, 5 invalid point.\n\n"
+           "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"
         << options.usage();
     return EXIT_DONE;
   }

@@ -264,6 +264,8 @@ addEstimationOptions (Options& options, Parameters& parameters)
                      value == "ridges" || value == "valleys" || value == "both";
                  return std::string (known ? "" : "ridges, valleys or both");
                });
+  options.addFlag (
+      "-boundaries", "label the points where the surface ends", parameters.boundaries);
   options.add ("-threads",
                "N",
                withDefault ("threads; 0 takes all processors", parameters.threads),

@@ -181,6 +181,15 @@ public:
     parameters_.wanted = {ridges, valleys};
   }
 
+  /** \brief Choose whether points where the surface ends get the label
+   * crest::LABEL_BOUNDARY, if no other applies to them. They do not else.
+   */
+  void
+  setLabelBoundaries (bool boundaries)
+  {
+    parameters_.boundaries = boundaries;
+  }
+
   /** \brief Set the number of threads; 0 takes all processors. */
   void
   setNumberOfThreads (unsigned nr_threads = 0)

@@ -102,6 +102,9 @@ struct Parameters {
   /** Which types to label and to draw lines of. */
   PerType<bool> wanted{true, true};
 
+  /** Whether to label the points where the surface ends (4.1). */
+  bool boundaries = false;
+
   /** Threads of all stages; 0 takes all processors. The result does not depend on it.
    */
   unsigned threads = 0;

@@ -57,6 +57,7 @@ describe (const Parameters& p)
   json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
                  : p.wanted.ridge                  ? "ridges"
                                                    : "valleys";
+  json["boundaries"] = p.boundaries;
   return json;
 }
 
@@ -134,6 +135,8 @@ writeStatistics (const std::string& file,
   Json json;
   json["points"] = cloud.points->size();
   json["invalid_points"] = countLabel (labels, LABEL_INVALID);
+  if (parameters.boundaries)
+    json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
   json["normals"] = nameOf (cloud.normals);
   json["mean_spacing"] = estimation.getStatistics().mean_spacing;
   json["extent"] = estimation.getStatistics().extent;
