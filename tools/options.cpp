@@ -278,8 +278,23 @@ addEstimationOptions (Options& options, Parameters& parameters)
 }
 
 std::string
-explainInvalid (const Options& options, const Parameters& parameters)
+takeArguments (int argc,
+               const char* const* argv,
+               const std::vector<std::string>& names,
+               Options& options,
+               const Parameters& parameters,
+               std::vector<std::string>& files)
 {
+  std::string error;
+  if (!options.parse (argc, argv, files, error))
+    return error;
+  if (files.size() != names.size()) {
+    error = "expected";
+    for (const std::string& name : names)
+      error += (name == names.front() ? " " : " and ") + name;
+    return error + ", found " + std::to_string (files.size()) +
+           (files.size() == 1 ? " file" : " files");
+  }
   if (options.given ("-k") && options.given ("-radius"))
     return "the options -k and -radius exclude each other: give one of them";
   const bool paper = parameters.preset == Preset::PAPER;
