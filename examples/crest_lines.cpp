@@ -14,8 +14,8 @@ main (int argc, char** argv)
 
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   estimation.setInputCloud (cloud);
-  estimation.setMaximality (1.0); // M: higher keeps only the sharper crests
-  estimation.setMinSize (15);     // S: drops lines of fewer points
+  estimation.setTurningAngle (30.0); // degrees that the surface turns across a line
+  estimation.setMinLength (8.0);     // of a line, in spacings of the points
   pcl::PointCloud<pcl::Label> labels;
   pcl::PolygonMesh lines;
   estimation.compute (labels, lines);

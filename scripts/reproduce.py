@@ -19,6 +19,7 @@ PICTURES = ROOT / "docs" / "pictures"
 BLUE, RED = "#1f3fd0", "#d01f1f"
 
 Model = namedtuple("Model", "name title file thresholds camera paper")
+PAPER = ["-preset", "paper"]
 # The thresholds of the paper's figure 7; Igea and the dinosaur have the defaults.
 BUNNY = ["-M_ridge", "2", "-S_ridge", "20", "-M_valley", "1", "-S_valley", "15"]
 # The armadillo turns its back to the default view.
@@ -48,13 +49,13 @@ def extract(model, thresholds, scratch):
     """The statistics of a run of the line tool on one thread."""
     statistics_file = scratch / "statistics.json"
     run(BIN / "pcl_crest_line_estimation", model.file, scratch / "labels.pcd",
-        *thresholds, "-threads", 1, "-stats", statistics_file)
+        *PAPER, *thresholds, "-threads", 1, "-stats", statistics_file)
     return json.loads(statistics_file.read_text())
 
 
 def picture(model, thresholds, file, size):
     run("xvfb-run", "-a", "-s", "-screen 0 1280x1280x24 -noreset", BIN / "pcl_crest_viewer",
-        model.file, *thresholds, *model.camera, "-size", f"{size}x{size}", "-screenshot", file)
+        model.file, *PAPER, *thresholds, *model.camera, "-size", f"{size}x{size}", "-screenshot", file)
     run("mogrify", "-colors", 128, "-define", "png:exclude-chunks=date,time", file)
 
 
@@ -145,7 +146,7 @@ def main():
 libcgal-demo; the rows with a time of the paper beside them appear where the environment
 variable `PCL_CREST_DATA` names a folder with `stanford_bunny_35947.ply`,
 `igea_33587.ply` and `dinosaur_14000.obj`. Normals come from the files or from their
-faces. Only the vertices are used.
+faces. Only the vertices are used. All runs have `-preset paper`.
 
 ## Table 1: times
 

@@ -122,7 +122,7 @@ extractCrests (const OrientedPoints& points,
   const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {
     crests.sizes[type] = lineSizes (lines);
     lines = removeSmallLines (std::move (lines),
-                              static_cast<std::size_t> (parameters.min_size[type]));
+                              static_cast<std::size_t> (minSize (parameters, type)));
     std::move (lines.begin(), lines.end(), std::back_inserter (crests.lines));
     watch.stageDone ("lines");
   };
@@ -165,7 +165,7 @@ extractCrests (const OrientedPoints& points,
 std::vector<Label>
 labelPoints (const SurfaceShape& shape,
              const Crests& crests,
-             const PerType<bool>& wanted)
+             const Parameters& parameters)
 {
   std::vector<Label> labels (crests.points.size(), LABEL_NONE);
   std::vector<const CrestLine*> smallest_first;
@@ -185,8 +185,11 @@ labelPoints (const SurfaceShape& shape,
     const CrestType type = crests.points[i];
     if (!shape.curvature[i].valid)
       labels[i] = LABEL_INVALID;
-    else if (type != CrestType::NONE && wanted[type])
+    else if (type != CrestType::NONE && parameters.wanted[type])
       labels[i] = type == CrestType::RIDGE ? LABEL_RIDGE : LABEL_VALLEY;
+    else if (labels[i] == LABEL_NONE && parameters.boundaries &&
+             shape.graph.boundary[i] != 0)
+      labels[i] = LABEL_BOUNDARY;
   }
   return labels;
 }

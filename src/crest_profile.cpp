@@ -57,6 +57,19 @@ struct ScaleProfiles {
   const std::vector<ProfilePolynomial>& polynomials;
 };
 
+/** \brief Enters what the fit of the sample's node alone tells. */
+void
+describe (const ScaleFit& fit, double height, CrestProfile& profile)
+{
+  profile.curvature = {static_cast<float> (fit.k1),
+                       static_cast<float> (fit.k2),
+                       fit.t1.cast<float>(),
+                       true};
+  profile.normal = fit.normal.cast<float>();
+  profile.height = static_cast<float> (height);
+  profile.radius = static_cast<float> (fit.radius);
+}
+
 /** \brief Takes in the profile of a sample where that is more certain than the one
  * that it has; returns whether a longer window or a coarser scale has to follow.
  */
@@ -69,9 +82,13 @@ readProfile (const OrientedPoints& points,
 {
   const index_t node = from.level.node_of[sample];
   const ProfilePolynomial& polynomial = from.polynomials[node];
-  if (!polynomial.valid)
-    return true;
   const ScaleFit& own = from.fits[node];
+  if (!polynomial.valid) {
+    // Where data end there is no profile, but the surface has its curvature.
+    if (own.valid && !profile.curvature.valid)
+      describe (own, 0.0, profile);
+    return true;
+  }
   const BlendedProfile blend = blendProfiles (points.positions[sample].cast<double>(),
                                               node,
                                               from.level,
@@ -109,18 +126,13 @@ readProfile (const OrientedPoints& points,
   if (first)
     profile.noise = static_cast<float> (own.noise);
   if (first || last || certainty > profile.certainty) {
-    profile.curvature = {static_cast<float> (own.k1),
-                         static_cast<float> (own.k2),
-                         blend.t1.cast<float>(),
-                         true};
-    profile.normal = own.normal.cast<float>();
-    profile.height = static_cast<float> (blend.height);
+    describe (own, blend.height, profile);
+    profile.curvature.t1 = blend.t1.cast<float>();
     profile.foot = static_cast<float> (foot);
     profile.certainty = static_cast<float> (certainty);
     profile.peak_z = static_cast<float> (peak_z);
     profile.sharpness = static_cast<float> (sharpness);
     profile.fall = static_cast<float> (-c.bend / k1);
-    profile.radius = static_cast<float> (own.radius);
     profile.scale = from.scale;
     profile.resolved = resolved;
     profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;

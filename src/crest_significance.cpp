@@ -41,20 +41,44 @@ public:
   float
   prominence (index_t point) const
   {
-    if (profiles_[point].coarsest_level)
-      return 1.0F;
     const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
     const float k1 = std::abs (profiles_[point].curvature.k1);
+    // A fit over so much of a turn has an error of its own, which falls off where the
+    // data end: a pipe seen from one side would have a ridge along its middle.
+    constexpr float WIDE_TURN = 1.5F;
+    if (k1 * profiles_[point].radius > WIDE_TURN && endsBeside (point, t1) &&
+        endsBeside (point, -t1))
+      return 0.0F;
+    if (profiles_[point].coarsest_level)
+      return 1.0F;
     return 1.0F - std::max (least (point, t1), least (point, -t1)) / k1;
   }
 
 private:
+  /** Wider than any crest that is not of the coarsest level, and than any fit. */
+  static constexpr int MOST_STEPS = 40;
+
+  /** \brief Whether the data end in a direction within the radius of the fit. */
+  bool
+  endsBeside (index_t point, Eigen::Vector3f direction) const
+  {
+    const index_t start = point;
+    const float radius = profiles_[start].radius;
+    for (int step = 0; step < MOST_STEPS && points_.edge (start, point).norm() < radius;
+         ++step) {
+      point = next (point, direction);
+      if (point == OrientedPoints::INVALID)
+        return true;
+      const Eigen::Vector3f& n = points_.normals[point];
+      direction = (direction - direction.dot (n) * n).normalized();
+    }
+    return false;
+  }
+
   /** \brief The smallest curvature of the point's sign on the way downhill. */
   float
   least (index_t point, Eigen::Vector3f direction) const
   {
-    // Wider than any crest that is not of the coarsest level.
-    constexpr int MOST_STEPS = 40;
     // The next crest has begun.
     constexpr float RISE = 0.25F;
     // Along t1 of what is passed as long as that goes on in about the same direction.

@@ -18,7 +18,41 @@ complain (const char* name, const T& value, const char* wanted)
   return message.str();
 }
 
+/** \brief What is set though the preset does not have it. */
+std::string
+findStranger (const Parameters& p)
+{
+  const Parameters unset;
+  const bool paper = p.preset == Preset::PAPER;
+  const auto differ = [] (const PerType<double>& a, const PerType<double>& b) {
+    return a.ridge != b.ridge || a.valley != b.valley;
+  };
+  if (!paper && differ (p.maximality, unset.maximality))
+    return "M";
+  if (!paper && p.absolute_maximality)
+    return "the absolute unit of M";
+  if (!paper && p.prune != unset.prune)
+    return "the largest branch to prune";
+  if (paper && p.angle != unset.angle)
+    return "the turning angle";
+  if (paper && p.min_length != unset.min_length)
+    return "the least length of a line";
+  if (paper && p.confidence != unset.confidence)
+    return "the confidence";
+  if (paper && p.positions != unset.positions)
+    return "where lines run";
+  return {};
+}
+
 } // namespace
+
+int
+minSize (const Parameters& parameters, CrestType type)
+{
+  constexpr int PAPER_SIZE = 10;
+  return parameters.min_size[type].value_or (
+      parameters.preset == Preset::PAPER ? PAPER_SIZE : 0);
+}
 
 std::string
 explainInvalid (const Parameters& p)
@@ -35,17 +69,22 @@ explainInvalid (const Parameters& p)
     return complain ("the largest angle between neighbouring normals",
                      p.max_normal_angle,
                      "above 0 and at most 180 degrees");
+  const std::string stranger = findStranger (p);
+  if (!stranger.empty())
+    return stranger +
+           (p.preset == Preset::AUTO
+                ? " is set, but belongs to the preset paper: choose that with "
+                  "setPreset "
+                  "(Preset::PAPER), or set the turning angle, the least length or the "
+                  "confidence of the preset auto instead"
+                : " is set, but belongs to the preset auto: choose that with setPreset "
+                  "(Preset::AUTO)");
   for (const CrestType type : CREST_TYPES) {
     if (!(p.maximality[type] >= 0.0 && std::isfinite (p.maximality[type])))
       return complain ("M", p.maximality[type], "finite and not negative");
-    if (p.min_size[type] < 0)
-      return complain ("S", p.min_size[type], "not negative");
+    if (minSize (p, type) < 0)
+      return complain ("S", minSize (p, type), "not negative");
   }
-  const PerType<double> unset = Parameters().maximality;
-  if (p.preset == Preset::AUTO &&
-      (p.maximality.ridge != unset.ridge || p.maximality.valley != unset.valley))
-    return "M belongs to the preset paper: the preset auto has the turning angle, the "
-           "least length and the confidence in its place";
   if (!(p.angle >= 0.0 && p.angle <= 180.0))
     return complain ("the turning angle", p.angle, "from 0 to 180 degrees");
   if (!(p.min_length >= 0.0 && std::isfinite (p.min_length)))

@@ -43,7 +43,7 @@ using Coefficients = Eigen::Matrix<double, TERMS, 1>;
 using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
 
 struct Neighbor {
-  float squared_distance;
+  double squared_distance;
   index_t node;
 
   bool
@@ -90,6 +90,17 @@ struct Moments {
     kernel_weight += w * kernel_value;
   }
 };
+
+/** \brief Whether all are on a line but for rounding: there is no surface then. */
+bool
+onOneLine (const Moments& m)
+{
+  constexpr double ROUNDING = 1e-6;
+  const double xx = m.powers[2][0];
+  const double yy = m.powers[0][2];
+  const double xy = m.powers[1][1];
+  return !(xx * yy - xy * xy > ROUNDING * (xx + yy) * (xx + yy));
+}
 
 struct Frame {
   Eigen::Vector3d x, y, n;
@@ -148,11 +159,11 @@ public:
     gather (node);
     if (neighbors_.size() < LEAST_NODES)
       return {};
-    float squared_radius = 0.0F;
+    double squared_radius = 0.0;
     for (const Neighbor& neighbor : neighbors_)
       squared_radius = std::max (squared_radius, neighbor.squared_distance);
     // A little more, so that the farthest node, too, has a weight.
-    const double radius = 1.02 * std::sqrt (static_cast<double> (squared_radius));
+    const double radius = 1.02 * std::sqrt (squared_radius);
     if (!(radius > 0.0))
       return {};
     Eigen::Vector3d normal = level_.normals[node].cast<double>().normalized();
@@ -184,7 +195,8 @@ private:
         walk_.expand (reached[i], same_sheet);
     neighbors_.clear();
     for (const index_t q : reached)
-      neighbors_.push_back ({(level_.positions[q] - p).squaredNorm(), q});
+      neighbors_.push_back (
+          {(level_.positions[q] - p).cast<double>().squaredNorm(), q});
     if (neighbors_.size() > nearest_) {
       std::nth_element (neighbors_.begin(),
                         neighbors_.begin() + static_cast<std::ptrdiff_t> (nearest_),
@@ -203,6 +215,8 @@ private:
   {
     const Frame frame (normal);
     const Moments moments = sum (node, radius, frame);
+    if (onOneLine (moments))
+      return false;
     NormalMatrix matrix;
     Coefficients right_side;
     for (int i = 0; i < TERMS; ++i) {

@@ -40,6 +40,7 @@ protected:
   labelsAt (double m, const Cloud::ConstPtr& cloud, Estimation& estimation)
   {
     estimation.setInputCloud (cloud);
+    estimation.setPreset (Preset::PAPER);
     estimation.setMaximality (m);
     pcl::PointCloud<pcl::Label> labels;
     estimation.compute (labels);

@@ -104,10 +104,19 @@ TYPED_TEST (OfPointType, GivesTheSameLabels)
   EXPECT_EQ (codes (labels), labelsOf (cloud));
 }
 
-TEST (Feature, LabelsMatchTheLines)
+class OfPreset : public testing::TestWithParam<Preset> {};
+INSTANTIATE_TEST_SUITE_P (Both,
+                          OfPreset,
+                          testing::Values (Preset::AUTO, Preset::PAPER),
+                          [] (const auto& info) {
+                            return info.param == Preset::AUTO ? "auto" : "paper";
+                          });
+
+TEST_P (OfPreset, LabelsMatchTheLines)
 {
   const Cloud::Ptr cloud = ridgeAndValley();
   Estimation estimation;
+  estimation.setPreset (GetParam());
   estimation.setInputCloud (cloud);
   Labels labels;
   pcl::PolygonMesh mesh;
@@ -131,13 +140,13 @@ TEST (Feature, LabelsMatchTheLines)
                          ? label == LABEL_RIDGE || label == LABEL_RIDGE_GROWN
                          : label == LABEL_VALLEY || label == LABEL_VALLEY_GROWN);
         if (i > 0)
-          length += ((*cloud)[polyline[i]].getVector3fMap() -
-                     (*cloud)[polyline[i - 1]].getVector3fMap())
+          length += ((*estimation.getLineCloud())[polyline[i]].getVector3fMap() -
+                     (*estimation.getLineCloud())[polyline[i - 1]].getVector3fMap())
                         .norm();
       }
     }
     EXPECT_NEAR (line.length, length, 1e-4 * length);
-    EXPECT_GE (line.size, 10U);
+    EXPECT_GE (line.size, GetParam() == Preset::PAPER ? 10U : 2U);
   }
   EXPECT_EQ (mesh.polygons.size(), polylines);
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -280,6 +289,7 @@ TEST (Feature, SizesTellWhatSRemoved)
 {
   const Cloud::Ptr cloud = ridgeAndValley();
   Estimation estimation;
+  estimation.setPreset (Preset::PAPER);
   estimation.setInputCloud (cloud);
   estimation.setMinSize (0);
   labelsOf (estimation);
@@ -385,8 +395,14 @@ TEST (Feature, OrganizedSearchOfAnUnorganizedCloudIsRefused)
   expectRefused (estimation, "OrganizedNeighbor cannot search this cloud");
 }
 
-TEST (Feature, LargestAndSmallestUnitsGiveTheSameLabels)
+TEST_P (OfPreset, LargestAndSmallestUnitsGiveTheSameLabels)
 {
+  const auto labelsOf = [] (const Cloud::ConstPtr& cloud) {
+    Estimation estimation;
+    estimation.setPreset (GetParam());
+    estimation.setInputCloud (cloud);
+    return ::labelsOf (estimation);
+  };
   const Cloud::Ptr cloud = ridgeAndValley();
   const std::vector<std::uint32_t> expected = labelsOf (cloud);
   for (const float scale : {std::ldexp (1.0F, 120), std::ldexp (1.0F, -100)}) {
@@ -402,6 +418,7 @@ TEST (Feature, PruneSizeDecidesWhichBranchesStay)
   const Cloud::Ptr cloud = oracle::sample (oracle::bumpySphere(), 6000);
   const auto shortestBranch = [&] (int prune) {
     Estimation estimation;
+    estimation.setPreset (Preset::PAPER);
     estimation.setInputCloud (cloud);
     estimation.setPruneSize (prune);
     labelsOf (estimation);
@@ -511,6 +528,28 @@ TEST (Feature, OrganizedCloudWithHoles)
   EXPECT_LE (different, labels.size() / 100);
 }
 
+TEST (Feature, SRemovesLinesOfAutoOnlyWhereItIsSet)
+{
+  const Cloud::Ptr cloud = oracle::sample (oracle::bumpySphere(), 6000);
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  labelsOf (estimation);
+  std::size_t kept = 0;
+  for (const auto& [size, count] : estimation.getStatistics().line_sizes.ridge)
+    kept += count;
+  std::map<std::size_t, std::size_t> sizes;
+  for (const CrestLine& line : estimation.getLines())
+    if (line.type == CrestType::RIDGE)
+      ++sizes[line.size];
+  EXPECT_EQ (sizes, estimation.getStatistics().line_sizes.ridge);
+  ASSERT_GE (sizes.size(), 2U);
+  estimation.setRidgeMinSize (static_cast<int> (sizes.rbegin()->first));
+  labelsOf (estimation);
+  for (const CrestLine& line : estimation.getLines()) {
+    EXPECT_TRUE (line.type == CrestType::VALLEY || line.size == sizes.rbegin()->first);
+  }
+}
+
 TEST (Feature, DegenerateCloudsGiveACorrectEmptyResult)
 {
   const auto cloudOf = [] (std::size_t size, const auto& position) {
@@ -581,9 +620,22 @@ TEST (Feature, MistakesAreRefusedInWords)
   refused ([] (Estimation& e) { e.setKSearch (-5); }, "k is -5");
   refused ([] (Estimation& e) { e.setKSearch (2147483647); }, "k is 2147483647");
   refused ([] (Estimation& e) { e.setRadiusSearch (-1.0); }, "search radius is -1");
-  refused ([] (Estimation& e) { e.setMaximality (-0.5); }, "M is -0.5");
+  refused (
+      [] (Estimation& e) {
+        e.setPreset (Preset::PAPER);
+        e.setMaximality (-0.5);
+      },
+      "M is -0.5");
   refused ([] (Estimation& e) { e.setMinSize (-1); }, "S is -1");
-  refused ([] (Estimation& e) { e.setPruneSize (-1); }, "branch to prune is -1");
+  refused (
+      [] (Estimation& e) {
+        e.setPreset (Preset::PAPER);
+        e.setPruneSize (-1);
+      },
+      "branch to prune is -1");
+  refused ([] (Estimation& e) { e.setTurningAngle (181); }, "turning angle is 181");
+  refused ([] (Estimation& e) { e.setMinLength (-1); }, "least length of a line is -1");
+  refused ([] (Estimation& e) { e.setConfidence (NAN); }, "the confidence is nan");
   refused ([] (Estimation& e) { e.setPointsPerQuadrant (0); },
            "points per quadrant is 0");
   refused ([] (Estimation& e) { e.setMaxNormalAngle (0.0); }, "normals is 0");
@@ -598,13 +650,45 @@ TEST (Feature, MistakesAreRefusedInWords)
       "Index 1000000 is outside the input cloud");
 }
 
+TEST (Feature, WhatBelongsToTheOtherPresetIsRefused)
+{
+  const auto refused = [] (Preset preset, const auto& set, const std::string& words) {
+    Estimation estimation;
+    estimation.setInputCloud (ridgeAndValley());
+    estimation.setPreset (preset);
+    set (estimation);
+    expectRefused (estimation, words);
+  };
+  const auto refusedByAuto = [&] (const auto& set, const std::string& name) {
+    refused (Preset::AUTO,
+             set,
+             name + " is set, but belongs to the preset paper: choose that with "
+                    "setPreset (Preset::PAPER)");
+  };
+  const auto refusedByPaper = [&] (const auto& set, const std::string& name) {
+    refused (Preset::PAPER,
+             set,
+             name + " is set, but belongs to the preset auto: choose that with "
+                    "setPreset (Preset::AUTO)");
+  };
+  refusedByAuto ([] (Estimation& e) { e.setMaximality (1.0); }, "M");
+  refusedByAuto ([] (Estimation& e) { e.setValleyMaximality (1.0); }, "M");
+  refusedByAuto ([] (Estimation& e) { e.setAbsoluteMaximality (true); }, "unit of M");
+  refusedByAuto ([] (Estimation& e) { e.setPruneSize (5); }, "largest branch to prune");
+  refusedByPaper ([] (Estimation& e) { e.setTurningAngle (30); }, "turning angle");
+  refusedByPaper ([] (Estimation& e) { e.setMinLength (8); }, "least length of a line");
+  refusedByPaper ([] (Estimation& e) { e.setConfidence (3); }, "the confidence");
+  refusedByPaper ([] (Estimation& e) { e.setPositions (Positions::SAMPLES); },
+                  "where lines run");
+}
+
 TEST (Feature, AfterAMistakeTheNextComputeWorks)
 {
   const Cloud::Ptr cloud = ridgeAndValley();
   Estimation estimation;
   estimation.setInputCloud (cloud);
-  estimation.setMaximality (-1.0);
-  expectRefused (estimation, "M is -1");
-  estimation.setMaximality (Parameters().maximality.ridge);
+  estimation.setTurningAngle (-1.0);
+  expectRefused (estimation, "turning angle is -1");
+  estimation.setTurningAngle (Parameters().angle);
   EXPECT_EQ (labelsOf (estimation), labelsOf (cloud));
 }

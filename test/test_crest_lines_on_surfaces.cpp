@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole method against the exact crest lines of analytic surfaces, and what must
-// not change the result.
-#include <pcl_crest/crest_line_estimation.h>
-
+// The paper's whole method against the exact crest lines of analytic surfaces, and what
+// must not change the result.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "support/crest_truth.h"
+#include "support/extraction.h"
 #include "support/flipped_labels.h"
 #include "support/surface_cases.h"
 
@@ -16,37 +15,12 @@
 #include <random>
 
 using namespace pcl::crest;
+using oracle::countDifferent;
+using oracle::extract;
+using oracle::Extraction;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
 namespace {
-
-struct Extraction {
-  pcl::PointCloud<pcl::Label> labels;
-  std::vector<CrestLine> lines;
-};
-
-Extraction
-extract (const Cloud::ConstPtr& cloud, const Parameters& parameters)
-{
-  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
-  estimation.setInputCloud (cloud);
-  estimation.setParameters (parameters);
-  Extraction run;
-  estimation.compute (run.labels);
-  run.lines = estimation.getLines();
-  return run;
-}
-
-std::size_t
-countDifferent (const pcl::PointCloud<pcl::Label>& a,
-                const pcl::PointCloud<pcl::Label>& b)
-{
-  EXPECT_EQ (a.size(), b.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    different += a[i].label != b[i].label ? 1 : 0;
-  return different;
-}
 
 constexpr std::size_t SAMPLES = 20000;
 
@@ -182,6 +156,7 @@ TEST (Method, RingIsOneClosedLine)
   const oracle::AnalyticSurface surface = oracle::ellipticTorus();
   const Cloud::Ptr cloud = oracle::sample (surface, 5000);
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.absolute_maximality = true;
   parameters.maximality = {0.3, 0.3};
   const Extraction run = extract (cloud, parameters);

@@ -21,10 +21,12 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -46,15 +48,57 @@ struct FileLine {
   }
 };
 
+using Numbers = std::map<std::string, double>;
+
+/** \brief What files tell of a line beside its course. */
+Numbers
+measuresOf (const CrestLine& line)
+{
+  return {{"type", static_cast<double> (line.type)},
+          {"size", static_cast<double> (line.size)},
+          {"closed", line.closed ? 1.0 : 0.0},
+          {"length", line.length},
+          {"strength", line.strength},
+          {"mean_curvature", line.mean_curvature},
+          {"turning_angle", line.turning_angle},
+          {"scale", line.scale}};
+}
+
 class IoWriters : public testing::Test {
 protected:
   const oracle::TemporaryDirectory directory_;
   pcl::PointCloud<pcl::PointNormal> cloud_;
   /** a ridge with a junction, a closed valley, a second ridge; not all points used */
-  const std::vector<CrestLine> lines_{
-      {CrestType::RIDGE, 5, 4.0, false, {{1, 7, 3}, {3, 9}, {3, 20}}},
-      {CrestType::VALLEY, 3, 3.0, true, {{12, 4, 30, 12}}},
-      {CrestType::RIDGE, 2, 1.0, false, {{8, 2}}}};
+  const std::vector<CrestLine> lines_{{CrestType::RIDGE,
+                                       5,
+                                       4.0,
+                                       false,
+                                       {{1, 7, 3}, {3, 9}, {3, 20}},
+                                       {{LineEnd::FREE, LineEnd::JUNCTION},
+                                        {LineEnd::JUNCTION, LineEnd::BOUNDARY},
+                                        {LineEnd::JUNCTION, LineEnd::FREE}},
+                                       2.5,
+                                       0.625,
+                                       1.0 / 3.0,
+                                       0.1},
+                                      {CrestType::VALLEY,
+                                       3,
+                                       3.0,
+                                       true,
+                                       {{12, 4, 30, 12}},
+                                       {{LineEnd::CLOSED, LineEnd::CLOSED}},
+                                       1e-300,
+                                       1e300,
+                                       180.0,
+                                       1e-9},
+                                      {CrestType::RIDGE,
+                                       2,
+                                       1.0,
+                                       false,
+                                       {{8, 2}},
+                                       {{LineEnd::BOUNDARY, LineEnd::FREE}},
+                                       7.0,
+                                       7.0}};
 
   IoWriters()
   {
@@ -122,11 +166,21 @@ TEST_F (IoWriters, LinesAsVtk)
   vtkPolyData* const data = reader->GetOutput();
   EXPECT_EQ (10, data->GetNumberOfPoints());
   EXPECT_EQ (expected(), linesOf (data));
-  vtkDataArray* const line = data->GetCellData()->GetArray ("line");
-  ASSERT_NE (nullptr, line);
-  const std::vector<int> owners{0, 0, 0, 1, 2};
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-    EXPECT_EQ (owners[i], line->GetTuple1 (i));
+  const auto value = [data] (const std::string& name, vtkIdType cell) {
+    vtkDataArray* const array = data->GetCellData()->GetArray (name.c_str());
+    EXPECT_NE (nullptr, array) << name;
+    return array == nullptr ? -1.0 : array->GetTuple1 (cell);
+  };
+  vtkIdType cell = 0;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    for (const std::array<LineEnd, 2>& ends : lines_[i].ends) {
+      EXPECT_EQ (i, value ("line", cell));
+      EXPECT_EQ (static_cast<int> (ends[0]), value ("first_end", cell));
+      EXPECT_EQ (static_cast<int> (ends[1]), value ("last_end", cell));
+      for (const auto& [name, measure] : measuresOf (lines_[i]))
+        EXPECT_EQ (measure, value (name, cell)) << name;
+      ++cell;
+    }
 }
 
 TEST_F (IoWriters, LinesAsObj)
@@ -154,46 +208,77 @@ TEST_F (IoWriters, LinesAsObj)
   EXPECT_EQ (ridges_first, read);
 }
 
-TEST_F (IoWriters, LinesAsPly)
+/** \brief The numbers of a PLY file in ASCII: elements by name, properties by name. */
+std::map<std::string, std::vector<Numbers>>
+readPly (const std::string& file)
 {
-  std::istringstream text (oracle::contentOf (written ("a.ply")));
-  std::string word;
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::vector<std::string> properties;
-  while (text >> word && word != "end_header") {
+  struct Element {
+    std::string name;
+    std::size_t count;
+    std::vector<std::string> properties;
+  };
+  std::vector<Element> elements;
+  std::istringstream text (oracle::contentOf (file));
+  std::string line;
+  while (std::getline (text, line) && line != "end_header") {
+    std::istringstream words (line);
+    std::string word;
+    words >> word;
     if (word == "element") {
-      text >> word;
-      text >> (word == "vertex" ? vertices : edges);
+      elements.emplace_back();
+      words >> elements.back().name >> elements.back().count;
     }
     else if (word == "property") {
-      text >> word >> word;
-      properties.push_back (word);
+      words >> word >> word;
+      elements.back().properties.push_back (word);
     }
   }
-  const std::vector<std::string> expected_properties{
-      "x", "y", "z", "vertex1", "vertex2", "type", "line"};
-  EXPECT_EQ (expected_properties, properties);
-  std::vector<Position> positions (vertices);
-  for (Position& p : positions)
-    text >> p[0] >> p[1] >> p[2];
+  std::map<std::string, std::vector<Numbers>> items;
+  for (const Element& element : elements)
+    for (std::size_t i = 0; i < element.count; ++i) {
+      items[element.name].emplace_back();
+      for (const std::string& property : element.properties)
+        text >> items[element.name].back()[property];
+    }
+  EXPECT_TRUE (text);
+  EXPECT_FALSE (text >> line);
+  return items;
+}
+
+TEST_F (IoWriters, LinesAsPly)
+{
+  auto items = readPly (written ("a.ply"));
+  const auto& edges = items["edge"];
+  const auto positionOf = [&] (double vertex) -> Position {
+    const Numbers& item = items["vertex"].at (static_cast<std::size_t> (vertex));
+    return {static_cast<float> (item.at ("x")),
+            static_cast<float> (item.at ("y")),
+            static_cast<float> (item.at ("z"))};
+  };
   // The edges one after the other give the polylines again.
-  std::vector<std::array<int, 4>> read (edges);
-  for (std::array<int, 4>& edge : read)
-    text >> edge[0] >> edge[1] >> edge[2] >> edge[3];
-  ASSERT_TRUE (text);
-  EXPECT_FALSE (text >> word);
   std::size_t next = 0;
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    for (const auto& polyline : lines_[i].polylines)
-      for (std::size_t j = 1; j < polyline.size(); ++j, ++next) {
-        ASSERT_LT (next, edges);
-        EXPECT_EQ (at (polyline[j - 1]), positions.at (read[next][0]));
-        EXPECT_EQ (at (polyline[j]), positions.at (read[next][1]));
-        EXPECT_EQ (static_cast<int> (lines_[i].type), read[next][2]);
-        EXPECT_EQ (static_cast<int> (i), read[next][3]);
+  std::size_t next_polyline = 0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const CrestLine& line = lines_[i];
+    EXPECT_EQ (measuresOf (line), items["line"].at (i));
+    for (std::size_t p = 0; p < line.polylines.size(); ++p, ++next_polyline) {
+      const Numbers ends{{"line", static_cast<double> (i)},
+                         {"first_end", static_cast<double> (line.ends[p][0])},
+                         {"last_end", static_cast<double> (line.ends[p][1])}};
+      EXPECT_EQ (ends, items["polyline"].at (next_polyline));
+      for (std::size_t j = 1; j < line.polylines[p].size(); ++j, ++next) {
+        const Numbers& edge = edges.at (next);
+        EXPECT_EQ (at (line.polylines[p][j - 1]), positionOf (edge.at ("vertex1")));
+        EXPECT_EQ (at (line.polylines[p][j]), positionOf (edge.at ("vertex2")));
+        EXPECT_EQ (static_cast<int> (line.type), edge.at ("type"));
+        EXPECT_EQ (i, edge.at ("line"));
+        EXPECT_EQ (next_polyline, edge.at ("polyline"));
       }
-  EXPECT_EQ (next, edges);
+    }
+  }
+  EXPECT_EQ (next, edges.size());
+  EXPECT_EQ (next_polyline, items["polyline"].size());
+  EXPECT_EQ (lines_.size(), items["line"].size());
 }
 
 TEST_F (IoWriters, NoLinesAtAllMakeValidFiles)
@@ -269,6 +354,7 @@ TEST_F (IoWriters, StatisticsAreThoseOfTheRun)
   input.normals = NormalSource::FACES;
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.min_size = {12, 15};
   parameters.maximality.valley = 0.5;
   parameters.threads = 2;
@@ -324,6 +410,63 @@ TEST_F (IoWriters, StatisticsAreThoseOfTheRun)
         large_enough += bar.at ("lines").get<std::size_t>();
     EXPECT_EQ (lines, large_enough);
   }
+}
+
+TEST_F (IoWriters, StatisticsTellAllOfLines)
+{
+  InputCloud input;
+  // Lines with junctions, closed ones, and some that end where the surface does.
+  input.points = oracle::sample (oracle::bumpySphere(), 6000);
+  const auto addBeside = [&input] (const oracle::AnalyticSurface& surface, float x) {
+    const auto cloud = oracle::sample (surface, 6000);
+    for (pcl::PointNormal point : *cloud) {
+      point.x += x;
+      input.points->push_back (point);
+    }
+  };
+  addBeside (oracle::wavyRidge(), 5.0F);
+  addBeside (oracle::ellipticTorus(), -5.0F);
+  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+  estimation.setInputCloud (input.points);
+  estimation.setLabelBoundaries (true);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  std::string error;
+  const std::string file = directory_.file ("a.json");
+  ASSERT_TRUE (writeStatistics (file, input, labels, estimation, {}, error)) << error;
+
+  const auto json = nlohmann::json::parse (oracle::contentOf (file));
+  const std::array<std::string, 4> names{"free", "junction", "boundary", "closed"};
+  std::set<std::string> found;
+  ASSERT_EQ (estimation.getLines().size(), json.at ("lines").size());
+  for (std::size_t i = 0; i < json.at ("lines").size(); ++i) {
+    const auto& line = json.at ("lines")[i];
+    const CrestLine& truth = estimation.getLines()[i];
+    EXPECT_EQ (truth.type == CrestType::RIDGE ? "ridge" : "valley", line.at ("type"));
+    for (const auto& [name, measure] : measuresOf (truth)) {
+      EXPECT_TRUE (name == "type" || name == "closed" || measure == line.at (name))
+          << name;
+    }
+    EXPECT_EQ (truth.closed, line.at ("closed"));
+    ASSERT_EQ (truth.ends.size(), line.at ("ends").size());
+    for (std::size_t j = 0; j < truth.ends.size(); ++j)
+      for (std::size_t end = 0; end < 2; ++end) {
+        const std::string name = line.at ("ends")[j][end];
+        EXPECT_EQ (names.at (static_cast<std::size_t> (truth.ends[j][end])), name);
+        found.insert (name);
+      }
+  }
+  EXPECT_TRUE (found.count ("closed") + found.count ("boundary") == 2);
+  const auto boundary =
+      std::count_if (labels.begin(), labels.end(), [] (const pcl::Label& label) {
+        return label.label == LABEL_BOUNDARY;
+      });
+  EXPECT_GT (boundary, 0);
+  EXPECT_EQ (boundary, json.at ("boundary_points"));
+  EXPECT_EQ ("auto", json.at ("parameters").at ("preset"));
+  EXPECT_EQ (Parameters().angle, json.at ("parameters").at ("angle"));
+  EXPECT_EQ (0, json.at ("parameters").at ("S_ridge"));
+  EXPECT_FALSE (json.at ("parameters").contains ("M_ridge"));
 }
 
 TEST_F (IoWriters, FilesAreReplacedAsAWholeOrNotAtAll)

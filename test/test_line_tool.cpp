@@ -2,6 +2,7 @@
 // Runs pcl_crest_line_estimation as a user does.
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/io/write_lines.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -38,9 +39,15 @@ protected:
   std::string
   input () const
   {
+    return write (*cloud_);
+  }
+
+  std::string
+  write (const pcl::PointCloud<pcl::PointNormal>& cloud) const
+  {
     std::ostringstream text;
     text.precision (9);
-    for (const pcl::PointNormal& p : *cloud_)
+    for (const pcl::PointNormal& p : cloud)
       text << p.getVector3fMap().transpose() << ' '
            << p.getNormalVector3fMap().transpose() << '\n';
     return directory_.file ("in put.xyz", text.str());
@@ -76,6 +83,7 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
 {
   const std::vector<std::string> names{"c.pcd", "l.obj", "o.pcd", "s.json"};
   const Outcome result = run ({input(),       outputs_.file ("o.pcd"),
+                               "-preset",     "paper",
                                "-M_ridge",    "0.4",
                                "-M",          "0.2",
                                "-S",          "12",
@@ -98,6 +106,7 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
   std::string error;
   ASSERT_TRUE (readCloud (input(), 20, 1, cloud, error)) << error;
   Parameters parameters;
+  parameters.preset = Preset::PAPER;
   parameters.maximality = {0.4, 0.2};
   parameters.min_size = {12, 14};
   parameters.k = 20;
@@ -130,6 +139,86 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
     EXPECT_TRUE (json.at ("milliseconds").contains (stage)) << stage;
 }
 
+TEST_F (LineTool, AutoOptionsAreThoseOfTheLibrary)
+{
+  // An open surface, for -boundaries.
+  const std::string in = write (*oracle::sample (oracle::ridgeAndValley(), 4000));
+  InputCloud cloud;
+  std::string error;
+  ASSERT_TRUE (readCloud (in, 24, 1, cloud, error)) << error;
+
+  const auto expectSame = [&] (const std::vector<std::string>& options,
+                               const Parameters& parameters) {
+    pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+    estimation.setInputCloud (cloud.points);
+    estimation.setParameters (parameters);
+    pcl::PointCloud<pcl::Label> labels;
+    estimation.compute (labels);
+    std::vector<std::string> arguments{in,
+                                       outputs_.file ("o.pcd"),
+                                       "-lines",
+                                       outputs_.file ("l.ply"),
+                                       "-stats",
+                                       outputs_.file ("s.json")};
+    arguments.insert (arguments.end(), options.begin(), options.end());
+    const Outcome result = run (arguments);
+    ASSERT_EQ (0, result.code) << result.error;
+    pcl::PointCloud<pcl::PointXYZLNormal> written;
+    ASSERT_EQ (0, pcl::io::loadPCDFile (outputs_.file ("o.pcd"), written));
+    ASSERT_EQ (labels.size(), written.size());
+    for (std::size_t i = 0; i < written.size(); ++i)
+      ASSERT_EQ (labels[i].label, written[i].label);
+    ASSERT_TRUE (writeLines (directory_.file ("l.ply"),
+                             *estimation.getLineCloud(),
+                             estimation.getLines(),
+                             error));
+    EXPECT_EQ (oracle::contentOf (directory_.file ("l.ply")),
+               oracle::contentOf (outputs_.file ("l.ply")));
+    const auto json =
+        nlohmann::json::parse (oracle::contentOf (outputs_.file ("s.json")));
+    ASSERT_EQ (estimation.getLines().size(), json.at ("lines").size());
+    for (std::size_t i = 0; i < json.at ("lines").size(); ++i) {
+      EXPECT_EQ (estimation.getLines()[i].length, json.at ("lines")[i].at ("length"));
+      EXPECT_EQ (estimation.getLines()[i].strength,
+                 json.at ("lines")[i].at ("strength"));
+    }
+  };
+  expectSame ({}, {});
+  expectSame ({"-preset", "auto"}, {});
+  Parameters parameters;
+  parameters.angle = 60.0;
+  expectSame ({"-angle", "60"}, parameters);
+  parameters = {};
+  parameters.min_length = 50.5;
+  expectSame ({"-min_length", "50.5"}, parameters);
+  parameters = {};
+  parameters.confidence = 8.0;
+  expectSame ({"-confidence", "8"}, parameters);
+  parameters = {};
+  parameters.positions = Positions::SAMPLES;
+  expectSame ({"-positions", "samples"}, parameters);
+  parameters = {};
+  parameters.boundaries = true;
+  expectSame ({"-boundaries", "-positions", "crest"}, parameters);
+  parameters = {};
+  parameters.min_size = {60, 5};
+  expectSame ({"-S_valley", "5", "-S", "60"}, parameters);
+  parameters = {};
+  parameters.preset = Preset::PAPER;
+  parameters.boundaries = true;
+  expectSame ({"-preset", "paper", "-boundaries"}, parameters);
+}
+
+TEST_F (LineTool, CountsAreGrammatical)
+{
+  const Outcome result = run ({input(), outputs_.file ("o.pcd"), "-S", "100000"});
+  EXPECT_NE (std::string::npos, result.out.find (", 0 lines\n")) << result.out;
+  const Outcome one =
+      run ({directory_.file ("a.xyz", "1 2 3\n"), outputs_.file ("o.pcd")});
+  EXPECT_NE (std::string::npos, one.out.find ("Read 1 point from")) << one.out;
+  EXPECT_NE (std::string::npos, one.out.find ("Invalid:  1 point,")) << one.out;
+}
+
 TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
 {
   const auto labelsOf = [this] (std::vector<std::string> options) {
@@ -138,7 +227,7 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
     EXPECT_EQ (0, result.code) << result.error;
     pcl::PointCloud<pcl::PointXYZLNormal> written;
     pcl::io::loadPCDFile (outputs_.file ("o.pcd"), written);
-    std::array<std::size_t, 6> count{};
+    std::array<std::size_t, 7> count{};
     for (const pcl::PointXYZLNormal& point : written)
       ++count.at (point.label);
     return count;
@@ -157,10 +246,14 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
   for (const pcl::PointNormal& p : *cloud_)
     box.extend (p.getVector3fMap());
   const double tenth = box.sizes().maxCoeff() / 10.0;
-  const auto relative = labelsOf ({"-M", "0.5"});
+  const auto relative = labelsOf ({"-preset", "paper", "-M", "0.5"});
   EXPECT_EQ (relative,
-             labelsOf ({"-absolute", "-M", std::to_string (0.5 / (tenth * tenth))}));
-  EXPECT_NE (relative, both);
+             labelsOf ({"-preset",
+                        "paper",
+                        "-absolute",
+                        "-M",
+                        std::to_string (0.5 / (tenth * tenth))}));
+  EXPECT_NE (relative, labelsOf ({"-preset", "paper"}));
   // No point has neighbours within so small a radius.
   EXPECT_EQ (cloud_->size(), labelsOf ({"-radius", "1e-6"})[LABEL_INVALID]);
 }
@@ -172,23 +265,12 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
     const Outcome result = run (arguments);
     EXPECT_EQ (0, result.code);
     EXPECT_EQ ("", result.error);
-    for (const char* option : {"-k ",
-                               "-radius ",
-                               "-M ",
-                               "-M_ridge ",
-                               "-M_valley ",
-                               "-absolute ",
-                               "-S ",
-                               "-S_ridge ",
-                               "-S_valley ",
-                               "-prune ",
-                               "-type ",
-                               "-threads ",
-                               "-lines ",
-                               "-stats ",
-                               "-curvatures ",
-                               "-h ",
-                               "(default 24)"})
+    for (const char* option :
+         {"-k ",          "-radius ", "-M ",          "-M_ridge ",    "-M_valley ",
+          "-absolute ",   "-S ",      "-S_ridge ",    "-S_valley ",   "-prune ",
+          "-preset ",     "-angle ",  "-min_length ", "-confidence ", "-positions ",
+          "-boundaries ", "-type ",   "-threads ",    "-lines ",      "-stats ",
+          "-curvatures ", "-h ",      "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
 }
@@ -213,10 +295,30 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-radius", "0"}, "above 0");
   expectUsageError ({in, out, "-radius", "nan"}, "above 0");
   expectUsageError ({in, out, "-M", "0,5"}, "must be a number");
-  expectUsageError ({in, out, "-M_valley", "-1"}, "M is -1");
-  expectUsageError ({in, out, "-M", "nan"}, "M is nan");
+  expectUsageError ({in, out, "-preset", "paper", "-M_valley", "-1"}, "M is -1");
+  expectUsageError ({in, out, "-preset", "paper", "-M", "nan"}, "M is nan");
   expectUsageError ({in, out, "-S_ridge", "-2"}, "S is -2");
-  expectUsageError ({in, out, "-prune", "-1"}, "-1");
+  expectUsageError ({in, out, "-preset", "paper", "-prune", "-1"}, "-1");
+  expectUsageError ({in, out, "-preset", "fast"}, "must be auto or paper");
+  expectUsageError ({in, out, "-angle", "-1"}, "the turning angle is -1");
+  expectUsageError ({in, out, "-angle", "181"}, "from 0 to 180 degrees");
+  expectUsageError ({in, out, "-angle", "30deg"}, "must be a number");
+  expectUsageError ({in, out, "-min_length", "-1"}, "least length of a line is -1");
+  expectUsageError ({in, out, "-min_length", "inf"}, "least length of a line is inf");
+  expectUsageError ({in, out, "-confidence", "nan"}, "the confidence is nan");
+  expectUsageError ({in, out, "-positions", "edges"}, "must be crest or samples");
+  for (const char* option : {"-M", "-M_ridge", "-M_valley", "-prune"})
+    expectUsageError ({in, out, option, "1"},
+                      "the option " + std::string (option) +
+                          " belongs to -preset paper");
+  expectUsageError ({in, out, "-absolute"}, "-absolute belongs to -preset paper");
+  for (const std::vector<std::string>& option :
+       std::vector<std::vector<std::string>>{{"-angle", "25"},
+                                             {"-min_length", "5"},
+                                             {"-confidence", "2"},
+                                             {"-positions", "crest"}})
+    expectUsageError ({in, out, "-preset", "paper", option[0], option[1]},
+                      "the option " + option[0] + " belongs to -preset auto");
   expectUsageError ({in, out, "-type", "creases"}, "ridges, valleys or both");
   expectUsageError ({in, out, "-threads", "-1"}, "not negative");
   expectUsageError ({in, out, "-threads", "99999"}, "at most");

@@ -90,7 +90,7 @@ protected:
 
 TEST_F (Viewer, DrawsTheCrestsOfAFile)
 {
-  const std::string arguments = input + " -M 0.001 -screenshot ";
+  const std::string arguments = input + " -screenshot ";
   ASSERT_EQ (runViewer ("", arguments + output + size), 0);
   View view = pcl::crest::fitView (*cloud, {SIZE, SIZE});
   const std::string png = contentOf (output);

@@ -2,15 +2,13 @@
 // pcl_crest_line_estimation: labels the crest points of a file and writes its crest
 // lines. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
 // written.
-#include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/output_file.h>
-#include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/io/write_labels.h>
 #include <pcl_crest/io/write_lines.h>
 #include <pcl_crest/io/write_statistics.h>
 
+#include "estimation.h"
 #include "options.h"
-#include "program.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -71,11 +69,20 @@ checkOutputs (const Files& files, std::string& error)
   return EXIT_DONE;
 }
 
+/** \brief A number of things, as in "1 line" and "2 lines". */
+std::string
+count (std::ptrdiff_t number, const std::string& thing)
+{
+  return std::to_string (number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 void
 report (const Files& files, const InputCloud& cloud)
 {
-  std::cout << "Read " << cloud.points->size() << " points from " << files.input
-            << "; normals: " << nameOf (cloud.normals) << "\n";
+  std::cout << "Read "
+            << count (static_cast<std::ptrdiff_t> (cloud.points->size()), "point")
+            << " from " << files.input << "; normals: " << nameOf (cloud.normals)
+            << "\n";
   for (const std::string& note : cloud.notes)
     std::cout << "  " << note << "\n";
 }
@@ -83,27 +90,28 @@ report (const Files& files, const InputCloud& cloud)
 void
 report (const std::vector<CrestLine>& lines, const pcl::PointCloud<pcl::Label>& labels)
 {
+  const auto labelled = [&labels] (Label code) {
+    return std::count_if (labels.begin(), labels.end(), [code] (const pcl::Label& l) {
+      return l.label == code;
+    });
+  };
   for (const CrestType type : CREST_TYPES) {
     const bool ridge = type == CrestType::RIDGE;
-    const std::uint32_t code = ridge ? LABEL_RIDGE : LABEL_VALLEY;
-    std::cout << (ridge ? "Ridges:  " : "Valleys: ")
-              << std::count_if (
-                     labels.begin(),
-                     labels.end(),
-                     [code] (const pcl::Label& l) { return l.label == code; })
-              << " crest points, "
-              << std::count_if (lines.begin(),
-                                lines.end(),
-                                [type] (const CrestLine& l) { return l.type == type; })
-              << " lines\n";
+    const auto of_type =
+        std::count_if (lines.begin(), lines.end(), [type] (const CrestLine& l) {
+          return l.type == type;
+        });
+    std::cout << (ridge ? "Ridges:   " : "Valleys:  ")
+              << count (labelled (ridge ? LABEL_RIDGE : LABEL_VALLEY), "crest point")
+              << ", " << count (of_type, "line") << "\n";
   }
-  const auto invalid =
-      std::count_if (labels.begin(), labels.end(), [] (const pcl::Label& l) {
-        return l.label == LABEL_INVALID;
-      });
+  const auto boundary = labelled (LABEL_BOUNDARY);
+  if (boundary != 0)
+    std::cout << "Boundary: " << count (boundary, "point") << "\n";
+  const auto invalid = labelled (LABEL_INVALID);
   if (invalid != 0)
-    std::cout << "Invalid: " << invalid
-              << " points, not finite, without a normal or with too few neighbours\n";
+    std::cout << "Invalid:  " << count (invalid, "point")
+              << ", not finite, without a normal or with too few neighbours\n";
 }
 
 void
@@ -122,18 +130,12 @@ int
 run (const Files& files, const Parameters& parameters)
 {
   std::string error;
-  InputCloud cloud;
-  if (!readCloud (files.input, parameters.k, parameters.threads, cloud, error))
-    return fail (PROGRAM, EXIT_FILE, error);
-  report (files, cloud);
-
-  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
-  estimation.setInputCloud (cloud.points);
-  estimation.setParameters (parameters);
-  pcl::PointCloud<pcl::Label> labels;
-  estimation.compute (labels);
-  if (labels.size() != cloud.points->size())
-    return fail (PROGRAM, EXIT_USAGE, "the crest lines could not be computed");
+  Estimate result;
+  const auto tell = [&files] (const InputCloud& cloud) { report (files, cloud); };
+  const ExitCode code = estimate (files.input, parameters, tell, result, error);
+  if (code != EXIT_DONE)
+    return fail (PROGRAM, code, error);
+  const auto& [cloud, estimation, labels] = result;
   report (estimation.getLines(), labels);
 
   std::vector<StageTime> times = cloud.times;
@@ -199,25 +201,18 @@ main (int argc, char** argv)
            "normals are used, else those of its faces, else they are estimated.\n"
            "OUTPUT.pcd gets each point with its normal, its largest principal\n"
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
-           "a ridge or valley line by growth, 5 invalid point.\n\n"
+           "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"
         << options.usage();
     return EXIT_DONE;
   }
 
-  std::string error;
   std::vector<std::string> arguments;
-  if (!options.parse (argc, argv, arguments, error))
-    return fail (PROGRAM, EXIT_USAGE, error);
-  if (arguments.size() != 2)
-    return fail (PROGRAM,
-                 EXIT_USAGE,
-                 "expected two files, INPUT and OUTPUT.pcd, found " +
-                     std::to_string (arguments.size()));
-  files.input = arguments[0];
-  files.output = arguments[1];
-  error = explainInvalid (options, parameters);
+  std::string error = takeArguments (
+      argc, argv, {"INPUT", "OUTPUT.pcd"}, options, parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
+  files.input = arguments[0];
+  files.output = arguments[1];
   const ExitCode code = checkOutputs (files, error);
   return code == EXIT_DONE ? run (files, parameters) : fail (PROGRAM, code, error);
 }

@@ -2,18 +2,16 @@
 // pcl_crest_viewer: shows the crest lines of a file over its points, in a window or as
 // a picture. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
 // written or there is no display.
-#include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/parse_number.h>
-#include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/visualization/crest_scene.h>
 #include <pcl_crest/visualization/picture.h>
 #include <pcl_crest/visualization/view.h>
 
 #include <pcl/visualization/pcl_visualizer.h>
 
+#include "estimation.h"
 #include "options.h"
-#include "program.h"
 
 #include <algorithm>
 #include <iostream>
@@ -95,19 +93,15 @@ int
 run (const Request& request, const Parameters& parameters)
 {
   std::string error;
-  InputCloud cloud;
-  if (!readCloud (request.input, parameters.k, parameters.threads, cloud, error))
-    return fail (PROGRAM, EXIT_FILE, error);
-  for (const std::string& note : cloud.notes)
-    std::cout << request.input << ": " << note << "\n";
-
-  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
-  estimation.setInputCloud (cloud.points);
-  estimation.setParameters (parameters);
-  pcl::PointCloud<pcl::Label> labels;
-  estimation.compute (labels);
-  if (labels.size() != cloud.points->size())
-    return fail (PROGRAM, EXIT_USAGE, "the crest lines could not be computed");
+  Estimate result;
+  const auto tell = [&request] (const InputCloud& read) {
+    for (const std::string& note : read.notes)
+      std::cout << request.input << ": " << note << "\n";
+  };
+  const ExitCode code = estimate (request.input, parameters, tell, result, error);
+  if (code != EXIT_DONE)
+    return fail (PROGRAM, code, error);
+  const auto& [cloud, estimation, labels] = result;
   if (std::all_of (labels.begin(), labels.end(), [] (const pcl::Label& label) {
         return label.label == LABEL_INVALID;
       }))
@@ -162,21 +156,14 @@ main (int argc, char** argv)
     return EXIT_DONE;
   }
 
-  std::string error;
   std::vector<std::string> arguments;
-  if (!options.parse (argc, argv, arguments, error))
+  std::string error =
+      takeArguments (argc, argv, {"INPUT"}, options, parameters, arguments);
+  if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
-  if (arguments.size() != 1)
-    return fail (PROGRAM,
-                 EXIT_USAGE,
-                 "expected one file, INPUT, found " +
-                     std::to_string (arguments.size()));
   request.input = arguments[0];
   if (request.view && !options.given ("-size"))
     request.size = request.view->window_size;
-  error = explainInvalid (options, parameters);
-  if (!error.empty())
-    return fail (PROGRAM, EXIT_USAGE, error);
   if (!request.screenshot.empty()) {
     if (!hasExtension (request.screenshot, {".png"}, error))
       return fail (PROGRAM, EXIT_USAGE, error);

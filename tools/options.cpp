@@ -30,6 +30,13 @@ takeNumber (const std::string& value, T& number)
 
 template <typename T>
 std::string
+takeNumber (const std::string& value, std::optional<T>& number)
+{
+  return takeNumber (value, number.emplace());
+}
+
+template <typename T>
+std::string
 withDefault (const std::string& help, const T& value)
 {
   std::ostringstream text;
@@ -45,14 +52,11 @@ addPerType (Options& options,
             const std::string& help,
             PerType<T>& numbers)
 {
-  options.add (name,
-               "N",
-               withDefault (help, numbers.ridge),
-               [&numbers] (const std::string& value) {
-                 std::string wanted = takeNumber (value, numbers.ridge);
-                 numbers.valley = numbers.ridge;
-                 return wanted;
-               });
+  options.add (name, "N", help, [&numbers] (const std::string& value) {
+    std::string wanted = takeNumber (value, numbers.ridge);
+    numbers.valley = numbers.ridge;
+    return wanted;
+  });
   options.addNumber (name + "_ridge", name + " of ridges alone", numbers.ridge);
   options.addNumber (name + "_valley", name + " of valleys alone", numbers.valley);
 }
@@ -91,6 +95,8 @@ template void
 Options::addNumber (const std::string&, const std::string&, unsigned&);
 template void
 Options::addNumber (const std::string&, const std::string&, double&);
+template void
+Options::addNumber (const std::string&, const std::string&, std::optional<int>&);
 
 void
 Options::addText (const std::string& name,
@@ -184,7 +190,7 @@ addEstimationOptions (Options& options, Parameters& parameters)
   options.add ("-preset",
                "NAME",
                "auto finds scale and significance by itself, paper is the\n"
-               "                          paper's method (default paper)",
+               "                          method as published (default auto)",
                [&parameters] (const std::string& value) {
                  parameters.preset = value == "auto" ? Preset::AUTO : Preset::PAPER;
                  const bool known = value == "auto" || value == "paper";
@@ -224,19 +230,30 @@ addEstimationOptions (Options& options, Parameters& parameters)
                    wanted = "above 0";
                  return wanted;
                });
-  addPerType (options,
-              "-M",
-              "threshold on the maximality of curvature, in 1 / (a tenth\n"
-              "                          of the largest side of the cloud)^2",
-              parameters.maximality);
-  options.addFlag ("-absolute",
-                   "take M in 1 / (the unit of the file)^2",
-                   parameters.absolute_maximality);
   addPerType (
-      options, "-S", "remove lines of fewer points than this", parameters.min_size);
+      options,
+      "-M",
+      withDefault (
+          "paper: threshold on the maximality of curvature, in 1 /\n"
+          "                          (a tenth of the largest side of the cloud)^2",
+          parameters.maximality.ridge),
+      parameters.maximality);
+  options.addFlag ("-absolute",
+                   "paper: take M in 1 / (the unit of the file)^2",
+                   parameters.absolute_maximality);
+  Parameters paper;
+  paper.preset = Preset::PAPER;
+  addPerType (options,
+              "-S",
+              "remove lines of fewer points than this (default " +
+                  std::to_string (minSize (paper, CrestType::RIDGE)) +
+                  " with\n                          -preset paper, " +
+                  std::to_string (minSize (Parameters(), CrestType::RIDGE)) +
+                  " with auto)",
+              parameters.min_size);
   options.addNumber (
       "-prune",
-      withDefault ("prune branches of up to this many points", parameters.prune),
+      withDefault ("paper: prune branches of up to this many points", parameters.prune),
       parameters.prune);
   options.add ("-type",
                "TYPE",
@@ -247,6 +264,8 @@ addEstimationOptions (Options& options, Parameters& parameters)
                      value == "ridges" || value == "valleys" || value == "both";
                  return std::string (known ? "" : "ridges, valleys or both");
                });
+  options.addFlag (
+      "-boundaries", "label the points where the surface ends", parameters.boundaries);
   options.add ("-threads",
                "N",
                withDefault ("threads; 0 takes all processors", parameters.threads),
@@ -259,8 +278,23 @@ addEstimationOptions (Options& options, Parameters& parameters)
 }
 
 std::string
-explainInvalid (const Options& options, const Parameters& parameters)
+takeArguments (int argc,
+               const char* const* argv,
+               const std::vector<std::string>& names,
+               Options& options,
+               const Parameters& parameters,
+               std::vector<std::string>& files)
 {
+  std::string error;
+  if (!options.parse (argc, argv, files, error))
+    return error;
+  if (files.size() != names.size()) {
+    error = "expected";
+    for (const std::string& name : names)
+      error += (name == names.front() ? " " : " and ") + name;
+    return error + ", found " + std::to_string (files.size()) +
+           (files.size() == 1 ? " file" : " files");
+  }
   if (options.given ("-k") && options.given ("-radius"))
     return "the options -k and -radius exclude each other: give one of them";
   const bool paper = parameters.preset == Preset::PAPER;

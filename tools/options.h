@@ -80,16 +80,25 @@ private:
 };
 
 /** \brief Adds the options that fill the parameters of the estimation: -preset -angle
- * -min_length -confidence -positions -k -radius -M
- * -M_ridge -M_valley -absolute -S -S_ridge -S_valley -prune -type -threads. The
- * defaults in the usage are those that the parameters have now.
+ * -min_length -confidence -positions -k -radius -M -M_ridge -M_valley -absolute -S
+ * -S_ridge -S_valley -prune -type -boundaries -threads. The defaults in the usage are
+ * those that the parameters have now.
  */
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
-/** \brief What is wrong with the options as a whole after parse, if anything. */
+/** \brief Takes the arguments of main for a program with these options.
+ * \param[in] names of the files that it expects, as in the usage
+ * \param[out] files these
+ * \return what is wrong, if anything: one option, all of them together, or the files
+ */
 std::string
-explainInvalid (const Options& options, const Parameters& parameters);
+takeArguments (int argc,
+               const char* const* argv,
+               const std::vector<std::string>& names,
+               Options& options,
+               const Parameters& parameters,
+               std::vector<std::string>& files);
 
 } // namespace crest
 } // namespace pcl

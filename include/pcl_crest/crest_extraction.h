@@ -46,11 +46,12 @@ extractCrests (const OrientedPoints& points,
 
 /** \brief The label of each packed point. A point joined by growth that lies on lines
  * of both types belongs to the larger one, of equals to the longer.
+ * \param[in] parameters wanted and boundaries are used
  */
 std::vector<Label>
 labelPoints (const SurfaceShape& shape,
              const Crests& crests,
-             const PerType<bool>& wanted);
+             const Parameters& parameters);
 
 } // namespace crest
 } // namespace pcl

@@ -11,7 +11,9 @@ namespace pcl {
 
 /** \brief CrestLineEstimation extracts crest lines, that is ridges and valleys, from a
  * cloud of points with normals, by the method of G. Stylianou and Y. Chrysanthou,
- * "Crest Line Extraction From Point Clouds".
+ * "Crest Line Extraction From Point Clouds". With the preset crest::Preset::AUTO, the
+ * default, it finds the scale of each crest and the significance of each line by
+ * itself; crest::Preset::PAPER is the method as published, with its threshold M.
  *
  * The method needs normals that point consistently to one side of the surface, outward
  * for closed ones: flipping them all swaps ridges and valleys.
@@ -19,8 +21,8 @@ namespace pcl {
  * \code
  * pcl::CrestLineEstimation<pcl::PointNormal> estimation;
  * estimation.setInputCloud (cloud); // positions and normals
- * estimation.setMaximality (1.0);   // M: higher keeps only what is sharper
- * estimation.setMinSize (15);       // S: drops lines of fewer points
+ * estimation.setTurningAngle (30);  // degrees that the surface turns across a line
+ * estimation.setMinLength (8);      // of a line, in spacings of the samples
  * pcl::PointCloud<pcl::Label> labels;
  * pcl::PolygonMesh lines;
  * estimation.compute (labels, lines);
@@ -63,8 +65,9 @@ public:
 
   CrestLineEstimation() { feature_name_ = "CrestLineEstimation"; }
 
-  /** \brief Choose between the paper's method and the one that finds its scale and the
-   * significance of lines by itself (see crest::Parameters::preset).
+  /** \brief Choose between the method that finds its scale and the significance of
+   * lines by itself and the paper's (see crest::Parameters::preset). The setters below
+   * that name one of them are mistakes with the other.
    */
   void
   setPreset (crest::Preset preset)
@@ -72,7 +75,8 @@ public:
     parameters_.preset = preset;
   }
 
-  /** \brief Set how far the surface has to turn across a line, in degrees (AUTO). */
+  /** \brief Set how far the surface has to turn across a line, in degrees (AUTO):
+   * higher keeps only what bends more. */
   void
   setTurningAngle (double degrees)
   {
@@ -101,34 +105,36 @@ public:
   }
 
   /** \brief Set M, the threshold on the maximality of curvature, for ridges and valleys
-   * (see crest::Parameters::maximality for its unit).
+   * (PAPER; see crest::Parameters::maximality for its unit).
    */
   void
   setMaximality (double maximality)
   {
     parameters_.maximality = {maximality, maximality};
   }
-  /** \brief Set M for ridges alone. */
+  /** \brief Set M for ridges alone (PAPER). */
   void
   setRidgeMaximality (double maximality)
   {
     parameters_.maximality.ridge = maximality;
   }
-  /** \brief Set M for valleys alone. */
+  /** \brief Set M for valleys alone (PAPER). */
   void
   setValleyMaximality (double maximality)
   {
     parameters_.maximality.valley = maximality;
   }
 
-  /** \brief Take M in 1 / (the cloud's unit)^2 instead of relative to its extent. */
+  /** \brief Take M in 1 / (the cloud's unit)^2 instead of relative to its extent
+   * (PAPER). */
   void
   setAbsoluteMaximality (bool absolute)
   {
     parameters_.absolute_maximality = absolute;
   }
 
-  /** \brief Set S: lines of fewer points are removed. */
+  /** \brief Set S: lines of fewer points are removed. If it is not set, PAPER removes
+   * those of fewer than 10 and AUTO none for that reason. */
   void
   setMinSize (int points)
   {
@@ -147,7 +153,7 @@ public:
     parameters_.min_size.valley = points;
   }
 
-  /** \brief Set the size in points up to which branches are pruned. */
+  /** \brief Set the size in points up to which branches are pruned (PAPER). */
   void
   setPruneSize (int points)
   {
@@ -173,6 +179,15 @@ public:
   setWantedTypes (bool ridges, bool valleys)
   {
     parameters_.wanted = {ridges, valleys};
+  }
+
+  /** \brief Choose whether points where the surface ends get the label
+   * crest::LABEL_BOUNDARY, if no other applies to them. They do not else.
+   */
+  void
+  setLabelBoundaries (bool boundaries)
+  {
+    parameters_.boundaries = boundaries;
   }
 
   /** \brief Set the number of threads; 0 takes all processors. */

@@ -5,6 +5,8 @@
 
 #include <pcl_crest/curvature.h>
 
+#include <limits>
+
 namespace pcl {
 namespace crest {
 
@@ -21,7 +23,7 @@ struct CrestProfile {
   float height = 0.0F;
   /** where along t1 |k1| has its maximum, from the sample, in the cloud's unit;
    * infinite where it has none */
-  float foot = 0.0F;
+  float foot = std::numeric_limits<float>::infinity();
   /** how many standard errors the profile is from a constant one, with two degrees of
    * freedom; 0 where it has no maximum or k1 is not certain */
   float certainty = 0.0F;
@@ -35,7 +37,8 @@ struct CrestProfile {
   float noise = 0.0F;
   /** of the neighbourhood that the curvature was fitted to, in the cloud's unit */
   float radius = 0.0F;
-  /** index of the scale, from the finest, or NO_SCALE where nothing could be fitted */
+  /** index of the scale, from the finest, or NO_SCALE where there was nothing beside
+   * the sample at any, as at a border: then there is curvature, but no profile */
   int scale = NO_SCALE;
   /** whether the profile is significantly not constant */
   bool resolved = false;

@@ -4,6 +4,7 @@
 
 #include <pcl_crest/types.h>
 
+#include <optional>
 #include <string>
 
 namespace pcl {
@@ -51,8 +52,8 @@ enum class Positions : std::uint8_t {
 struct Parameters {
   /** Which of the thresholds below are in use: maximality, absolute_maximality and
    * prune belong to PAPER, angle, min_length, confidence and positions to AUTO, and all
-   * others to both. */
-  Preset preset = Preset::PAPER;
+   * others to both. One of the other preset that is not at its default is a mistake. */
+  Preset preset = Preset::AUTO;
 
   /** k of the k closest neighbours that the quadrant filter chooses from (4.1); the
    * query point counts as one of them, as in every PCL feature. Ignored where radius
@@ -81,8 +82,9 @@ struct Parameters {
   /** Branches of up to this many points are pruned (4.6). */
   int prune = 10;
 
-  /** S of section 4.7: lines of fewer points are removed. */
-  PerType<int> min_size{10, 10};
+  /** S of section 4.7: lines of fewer points are removed. Unset it is 10 for PAPER and
+   * 0 for AUTO, which judges length by min_length (see minSize). */
+  PerType<std::optional<int>> min_size;
 
   /** How far the surface at least turns across a line, on its average, in degrees. */
   double angle = 25.0;
@@ -100,10 +102,17 @@ struct Parameters {
   /** Which types to label and to draw lines of. */
   PerType<bool> wanted{true, true};
 
+  /** Whether to label the points where the surface ends (4.1). */
+  bool boundaries = false;
+
   /** Threads of all stages; 0 takes all processors. The result does not depend on it.
    */
   unsigned threads = 0;
 };
+
+/** \brief S for one type, as it is set or as the preset has it. */
+int
+minSize (const Parameters& parameters, CrestType type);
 
 /** \brief What is wrong with the parameters, in words for the user: the parameter, its
  * value, and what would be right. Empty if all is well.

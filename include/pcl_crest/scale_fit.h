@@ -38,8 +38,8 @@ constexpr float SAME_SHEET_COSINE = 0.2F;
  * curvature changes, at a crest above all.
  *
  * \param[in] level the nodes
- * \param[in] nearest how many nodes to fit, at least 14; fewer than 14 found is invalid
- * \param[in] needed for each node whether it is to be fitted
+ * \param[in] nearest how many nodes to fit, at least 14; fewer than 14 found, or all on
+ * a line, is invalid \param[in] needed for each node whether it is to be fitted
  * \param[in] threads 0 for all processors
  */
 std::vector<ScaleFit>

@@ -34,7 +34,9 @@ enum Label : std::uint32_t {
   LABEL_RIDGE_GROWN = 3,
   LABEL_VALLEY_GROWN = 4,
   /** not finite, zero normal, or too few neighbours to fit a quadric to */
-  LABEL_INVALID = 5
+  LABEL_INVALID = 5,
+  /** where the surface ends (4.1) and no other label applies; only on request */
+  LABEL_BOUNDARY = 6
 };
 
 } // namespace crest

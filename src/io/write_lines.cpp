@@ -5,6 +5,7 @@
 #include "format_number.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pcl {
 namespace crest {
@@ -86,34 +87,92 @@ toObj (const LinePoints& points, const std::vector<CrestLine>& lines)
   return text;
 }
 
+/** \brief A number that each line has. */
+struct Measure {
+  const char* name;
+  bool whole;
+  double (*of) (const CrestLine& line);
+};
+
+/** \brief What files tell of lines beside type, place and ends. */
+constexpr std::array<Measure, 7> MEASURES{
+    {{"size", true, [] (const CrestLine& l) { return static_cast<double> (l.size); }},
+     {"closed", true, [] (const CrestLine& l) { return l.closed ? 1.0 : 0.0; }},
+     {"length", false, [] (const CrestLine& l) { return l.length; }},
+     {"strength", false, [] (const CrestLine& l) { return l.strength; }},
+     {"mean_curvature", false, [] (const CrestLine& l) { return l.mean_curvature; }},
+     {"turning_angle", false, [] (const CrestLine& l) { return l.turning_angle; }},
+     {"scale", false, [] (const CrestLine& l) { return l.scale; }}}};
+
+/** \brief A space, then a measure of a line. */
+void
+appendMeasure (std::string& text, const Measure& measure, const CrestLine& line)
+{
+  text += ' ';
+  if (measure.whole)
+    appendNumber (text, static_cast<std::size_t> (measure.of (line)));
+  else
+    appendNumber (text, measure.of (line));
+}
+
 std::string
 toPly (const LinePoints& points, const std::vector<CrestLine>& lines)
 {
   std::string edges;
+  std::string polylines;
+  std::string measures;
+  std::size_t polyline_count = 0;
   std::size_t edge_count = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    for (const std::vector<index_t>& polyline : lines[i].polylines)
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const CrestLine& line = lines[i];
+    for (std::size_t p = 0; p < line.polylines.size(); ++p) {
+      const std::vector<index_t>& polyline = line.polylines[p];
       for (std::size_t j = 1; j < polyline.size(); ++j) {
         appendNumber (edges, points.place (polyline[j - 1]));
         edges += ' ';
         appendNumber (edges, points.place (polyline[j]));
         edges += ' ';
-        appendNumber (edges, static_cast<int> (lines[i].type));
+        appendNumber (edges, static_cast<int> (line.type));
         edges += ' ';
         appendNumber (edges, i);
+        edges += ' ';
+        appendNumber (edges, polyline_count);
         edges += '\n';
         ++edge_count;
       }
+      appendNumber (polylines, i);
+      for (const LineEnd end : line.ends[p]) {
+        polylines += ' ';
+        appendNumber (polylines, static_cast<int> (end));
+      }
+      polylines += '\n';
+      ++polyline_count;
+    }
+    appendNumber (measures, static_cast<int> (line.type));
+    for (const Measure& measure : MEASURES)
+      appendMeasure (measures, measure, line);
+    measures += '\n';
+  }
   std::string text = "ply\nformat ascii 1.0\ncomment type 1 is a ridge, 2 a valley\n"
+                     "comment ends: 0 free, 1 junction, 2 boundary, 3 closed\n"
                      "element vertex " +
                      std::to_string (points.size()) +
                      "\nproperty float x\nproperty float y\nproperty float z\n"
                      "element edge " +
                      std::to_string (edge_count) +
                      "\nproperty int vertex1\nproperty int vertex2\n"
-                     "property uchar type\nproperty int line\nend_header\n";
+                     "property uchar type\nproperty int line\nproperty int polyline\n"
+                     "element polyline " +
+                     std::to_string (polyline_count) +
+                     "\nproperty int line\nproperty uchar first_end\n"
+                     "property uchar last_end\nelement line " +
+                     std::to_string (lines.size()) + "\nproperty uchar type\n";
+  for (const Measure& measure : MEASURES)
+    text += std::string ("property ") + (measure.whole ? "int " : "double ") +
+            measure.name + "\n";
+  text += "end_header\n";
   points.append (text, "");
-  return text + edges;
+  return text + edges + polylines + measures;
 }
 
 std::string
@@ -122,10 +181,13 @@ toVtk (const LinePoints& points, const std::vector<CrestLine>& lines)
   std::string cells;
   std::string types;
   std::string places;
+  std::array<std::string, 2> ends;
+  std::array<std::string, MEASURES.size()> measures;
   std::size_t cell_count = 0;
   std::size_t number_count = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    for (const std::vector<index_t>& polyline : lines[i].polylines) {
+    for (std::size_t p = 0; p < lines[i].polylines.size(); ++p) {
+      const std::vector<index_t>& polyline = lines[i].polylines[p];
       appendNumber (cells, polyline.size());
       for (const index_t point : polyline) {
         cells += ' ';
@@ -136,6 +198,14 @@ toVtk (const LinePoints& points, const std::vector<CrestLine>& lines)
       types += '\n';
       appendNumber (places, i);
       places += '\n';
+      for (std::size_t e = 0; e < ends.size(); ++e) {
+        appendNumber (ends[e], static_cast<int> (lines[i].ends[p][e]));
+        ends[e] += '\n';
+      }
+      for (std::size_t m = 0; m < MEASURES.size(); ++m) {
+        appendMeasure (measures[m], MEASURES[m], lines[i]);
+        measures[m] += '\n';
+      }
       ++cell_count;
       number_count += polyline.size() + 1;
     }
@@ -145,9 +215,18 @@ toVtk (const LinePoints& points, const std::vector<CrestLine>& lines)
                      "ASCII\nDATASET POLYDATA\nPOINTS " +
                      std::to_string (points.size()) + " float\n";
   points.append (text, "");
-  return text + "LINES " + count + " " + std::to_string (number_count) + "\n" + cells +
-         "CELL_DATA " + count + "\nSCALARS type int 1\nLOOKUP_TABLE default\n" + types +
-         "FIELD FieldData 1\nline 1 " + count + " int\n" + places;
+  text += "LINES " + count + " " + std::to_string (number_count) + "\n" + cells +
+          "CELL_DATA " + count + "\nSCALARS type int 1\nLOOKUP_TABLE default\n" +
+          types + "FIELD FieldData " + std::to_string (3 + MEASURES.size()) + "\n";
+  const auto add = [&] (const char* name, const char* type, const std::string& values) {
+    text += std::string (name) + " 1 " + count + " " + type + "\n" + values;
+  };
+  add ("line", "int", places);
+  add ("first_end", "int", ends[0]);
+  add ("last_end", "int", ends[1]);
+  for (std::size_t m = 0; m < MEASURES.size(); ++m)
+    add (MEASURES[m].name, MEASURES[m].whole ? "int" : "double", measures[m]);
+  return text;
 }
 
 } // namespace

@@ -52,11 +52,12 @@ describe (const Parameters& p)
     json["confidence"] = p.confidence;
     json["positions"] = p.positions == Positions::CREST ? "crest" : "samples";
   }
-  json["S_ridge"] = p.min_size.ridge;
-  json["S_valley"] = p.min_size.valley;
+  json["S_ridge"] = minSize (p, CrestType::RIDGE);
+  json["S_valley"] = minSize (p, CrestType::VALLEY);
   json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
                  : p.wanted.ridge                  ? "ridges"
                                                    : "valleys";
+  json["boundaries"] = p.boundaries;
   return json;
 }
 
@@ -134,6 +135,8 @@ writeStatistics (const std::string& file,
   Json json;
   json["points"] = cloud.points->size();
   json["invalid_points"] = countLabel (labels, LABEL_INVALID);
+  if (parameters.boundaries)
+    json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
   json["normals"] = nameOf (cloud.normals);
   json["mean_spacing"] = estimation.getStatistics().mean_spacing;
   json["extent"] = estimation.getStatistics().extent;

@@ -14,7 +14,8 @@ flipped (std::uint32_t label)
                                        pcl::crest::LABEL_RIDGE,
                                        pcl::crest::LABEL_VALLEY_GROWN,
                                        pcl::crest::LABEL_RIDGE_GROWN,
-                                       pcl::crest::LABEL_INVALID};
+                                       pcl::crest::LABEL_INVALID,
+                                       pcl::crest::LABEL_BOUNDARY};
   return SWAPPED[label];
 }
 

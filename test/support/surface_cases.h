@@ -24,6 +24,7 @@ struct SurfaceCase {
   parameters () const
   {
     pcl::crest::Parameters result;
+    result.preset = pcl::crest::Preset::PAPER;
     result.maximality = maximality;
     result.absolute_maximality = true;
     return result;

@@ -144,7 +144,7 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
   times.insert (times.end(), crests.times.begin(), crests.times.end());
 
   const std::vector<crest::Label> labels =
-      crest::labelPoints (shape, crests, parameters.wanted);
+      crest::labelPoints (shape, crests, parameters);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures = result_.curvatures;
   curvatures.header = output.header;

@@ -21,10 +21,12 @@ lineExtensions ();
  * with its first point.
  *
  * - .obj: the groups "ridge" and "valley" with an element `l` for each polyline.
- * - .ply: elements "edge" with vertex1, vertex2, type (crest::CrestType) and line, the
- *   place of the line in `lines`.
- * - .vtk: legacy polydata with a cell for each polyline, and type and line as data of
- *   the cells.
+ * - .ply: elements "edge" with vertex1, vertex2, type (crest::CrestType), line, the
+ *   place of the line in `lines`, and polyline; "polyline" with line and its two ends
+ *   (crest::LineEnd); "line" with type, size, closed, length, strength, mean_curvature,
+ *   turning_angle and scale of each, as CrestLine has them.
+ * - .vtk: legacy polydata with a cell for each polyline, and all of these as data of
+ * the cells, the same for all cells of a line but the ends.
  *
  * \param[in] file the path
  * \param[in] cloud what the lines are indices into

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimation.h"
+
+namespace pcl {
+namespace crest {
+
+ExitCode
+estimate (const std::string& file,
+          const Parameters& parameters,
+          const std::function<void (const InputCloud&)>& tell,
+          Estimate& result,
+          std::string& error)
+{
+  if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error))
+    return EXIT_FILE;
+  tell (result.cloud);
+  result.estimation.setInputCloud (result.cloud.points);
+  result.estimation.setParameters (parameters);
+  result.estimation.compute (result.labels);
+  if (result.labels.size() == result.cloud.points->size())
+    return EXIT_DONE;
+  error = "the crest lines could not be computed";
+  return EXIT_USAGE;
+}
+
+} // namespace crest
+} // namespace pcl

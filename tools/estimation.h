@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a file to its crest lines, as all programs do it.
+#pragma once
+
+#include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/io/read_cloud.h>
+
+#include "program.h"
+
+#include <functional>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The cloud of a file and what was extracted from it. */
+struct Estimate {
+  InputCloud cloud;
+  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+  pcl::PointCloud<pcl::Label> labels;
+};
+
+/** \brief Reads a file and computes its labels and lines.
+ * \param[in] file the path
+ * \param[in] parameters those of the estimation
+ * \param[in] tell called with what was read, before the computation
+ * \param[out] result all of it
+ * \param[out] error on failure what is wrong
+ * \return EXIT_DONE, or the code to exit with
+ */
+ExitCode
+estimate (const std::string& file,
+          const Parameters& parameters,
+          const std::function<void (const InputCloud&)>& tell,
+          Estimate& result,
+          std::string& error);
+
+} // namespace crest
+} // namespace pcl
