@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sampling.h"
+
+#include "support/noisy_cloud.h"
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace accuracy {
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+Samples
+keepIf (const Samples& all, const std::function<bool (const pcl::PointNormal&)>& keep)
+{
+  Samples kept{pcl::make_shared<Cloud>(), {}, 0.0};
+  for (std::size_t i = 0; i < all.cloud->size(); ++i)
+    if (keep ((*all.cloud)[i])) {
+      kept.cloud->push_back ((*all.cloud)[i]);
+      kept.parameters.push_back (all.parameters[i]);
+    }
+  return kept;
+}
+
+Samples
+sampleEvenly (const oracle::AnalyticSurface& surface, std::size_t count, unsigned seed)
+{
+  Samples samples;
+  samples.cloud = oracle::sample (surface, count, seed, &samples.parameters);
+  return samples;
+}
+
+/** \brief Smoothes independent noise with a Gaussian of a spread of three spacings
+ * over the samples, to unit variance.
+ */
+std::vector<Eigen::Vector3f>
+smoothNoise (const Samples& samples, std::mt19937& random)
+{
+  std::normal_distribution<float> noise (0.0F, 1.0F);
+  std::vector<Eigen::Vector3f> rough (samples.cloud->size());
+  for (Eigen::Vector3f& value : rough)
+    value = {noise (random), noise (random), noise (random)};
+
+  const double spread = 3.0 * samples.spacing;
+  pcl::search::KdTree<pcl::PointNormal> tree;
+  tree.setInputCloud (samples.cloud);
+  std::vector<Eigen::Vector3f> smooth (rough.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    pcl::Indices found;
+    std::vector<float> squared;
+    tree.radiusSearch ((*samples.cloud)[i], 2.5 * spread, found, squared);
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    float squares = 0.0F;
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      const auto weight =
+          static_cast<float> (std::exp (-squared[j] / (2.0 * spread * spread)));
+      sum += weight * rough[found[j]];
+      squares += weight * weight;
+    }
+    smooth[i] = sum / std::sqrt (squares);
+  }
+  return smooth;
+}
+
+} // namespace
+
+const std::vector<std::string>&
+samplingNames ()
+{
+  static const std::vector<std::string> names{
+      "even", "density", "scan_lines", "correlated"};
+  return names;
+}
+
+Samples
+sampleAs (const std::string& sampling,
+          const oracle::AnalyticSurface& surface,
+          std::size_t count,
+          unsigned seed)
+{
+  Samples samples;
+  if (sampling == "density") {
+    // What is kept of x from 0 to 1 is the integral of 10^-x, .39, if even.
+    const Samples all = sampleEvenly (surface, count * 5 / 2, seed);
+    float low = (*all.cloud)[0].x;
+    float high = low;
+    for (const pcl::PointNormal& p : *all.cloud) {
+      low = std::min (low, p.x);
+      high = std::max (high, p.x);
+    }
+    std::mt19937 random (seed + 9);
+    std::uniform_real_distribution<double> chance (0.0, 1.0);
+    samples = keepIf (all, [&] (const pcl::PointNormal& p) {
+      return chance (random) < std::pow (10.0, -(p.x - low) / (high - low));
+    });
+  }
+  else if (sampling == "scan_lines") {
+    const Samples all = sampleEvenly (surface, count * 4, seed);
+    const double period = 4.0 * oracle::meanSpacing (*all.cloud);
+    samples = keepIf (all, [&] (const pcl::PointNormal& p) {
+      const double place = p.x / period;
+      return place - std::floor (place) < 0.25;
+    });
+  }
+  else
+    samples = sampleEvenly (surface, count, seed);
+  samples.spacing = oracle::meanSpacing (*samples.cloud);
+  return samples;
+}
+
+Cloud::Ptr
+scan (const Samples& samples,
+      double standard_deviation,
+      bool correlated,
+      bool exact_normals,
+      unsigned seed)
+{
+  Cloud::Ptr cloud;
+  if (correlated) {
+    std::mt19937 random (seed);
+    Cloud moved = *samples.cloud;
+    const std::vector<Eigen::Vector3f> noise = smoothNoise (samples, random);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      moved[i].getVector3fMap() += static_cast<float> (standard_deviation) * noise[i];
+    cloud = oracle::withNoise (moved, 0.0, seed);
+  }
+  else
+    cloud = oracle::withNoise (*samples.cloud, standard_deviation, seed);
+  if (exact_normals)
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      (*cloud)[i].getNormalVector3fMap() = (*samples.cloud)[i].getNormalVector3fMap();
+  return cloud;
+}
+
+} // namespace accuracy
