@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How near the lines of the Feature come to the exact crest lines of analytic surfaces.
+#include "cloud_files.h"
 #include "options.h"
 #include "summary.h"
 #include "surface_list.h"
@@ -20,6 +21,7 @@ struct Settings {
   unsigned seed = 1;
   unsigned threads = 0;
   std::string json;
+  std::string files;
   bool help = false;
   bool exact_normals = false;
 };
@@ -65,7 +67,16 @@ takeNoises (const std::string& value, std::vector<double>& noises)
   return {};
 }
 
-void
+/** \brief A file for the surface, with what else tells it from others. */
+std::string
+fileName (const Settings& settings, std::string surface, const std::string& rest)
+{
+  std::replace (surface.begin(), surface.end(), ' ', '_');
+  return settings.files + '/' + surface + rest;
+}
+
+/** \brief Scores all runs on a surface; false if a file could not be written. */
+bool
 measure (const accuracy::ListedSurface& listed,
          const Settings& settings,
          std::vector<SurfaceScore>& scores)
@@ -73,6 +84,10 @@ measure (const accuracy::ListedSurface& listed,
   std::vector<oracle::TruthSegment> truth;
   if (listed.group != "silent")
     truth = oracle::trueCrestLines (listed.surface);
+  if (!settings.files.empty() &&
+      !accuracy::writeTruth (truth,
+                             fileName (settings, listed.surface.name, "_truth.obj")))
+    return false;
   for (const std::string& sampling : settings.samplings) {
     const accuracy::Samples samples =
         accuracy::sampleAs (sampling,
@@ -86,6 +101,12 @@ measure (const accuracy::ListedSurface& listed,
                                          sampling == "correlated",
                                          settings.exact_normals,
                                          settings.seed);
+      std::ostringstream rest;
+      rest << '_' << sampling << '_' << noise << ".ply";
+      if (!settings.files.empty() &&
+          !accuracy::writeCloud (*cloud,
+                                 fileName (settings, listed.surface.name, rest.str())))
+        return false;
       for (const std::string& preset : settings.presets) {
         pcl::crest::Parameters parameters;
         parameters.preset =
@@ -103,6 +124,7 @@ measure (const accuracy::ListedSurface& listed,
       }
     }
   }
+  return true;
 }
 
 } // namespace
@@ -141,6 +163,7 @@ main (int argc, char** argv)
   options.addNumber ("-seed", "of samples and noise", settings.seed);
   options.addNumber ("-threads", "0 takes all processors", settings.threads);
   options.addFlag ("-h", "show this and do nothing else", settings.help);
+  options.addText ("-files", "FOLDER", "write clouds and truths", settings.files);
   options.addText ("-json", "FILE", "write all scores", settings.json);
 
   std::vector<std::string> others;
@@ -168,7 +191,10 @@ main (int argc, char** argv)
                "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<SurfaceScore> scores;
   for (const accuracy::ListedSurface& listed : surfaces)
-    measure (listed, settings, scores);
+    if (!measure (listed, settings, scores)) {
+      std::cerr << "crest_accuracy: could not write to " << settings.files << '\n';
+      return 1;
+    }
   accuracy::printSummary (scores);
   if (!settings.json.empty() &&
       !accuracy::writeJson (scores, settings.threads, settings.json)) {

@@ -18,7 +18,7 @@ ringRidge ()
 AnalyticSurface
 gentleWaves ()
 {
-  return make ("gentle waves", -1.0, 1.0, -1.0, 1.0, [] (auto u, auto v) {
+  return make ("gentle waves", -0.85, 0.95, -0.9, 0.9, [] (auto u, auto v) {
     using T = decltype (u);
     return std::array<T, 3>{
         u, v, 0.10 * sin (4.0 * u + 1.5 * v) + 0.08 * sin (-2.0 * u + 4.2 * v + 1.0)};

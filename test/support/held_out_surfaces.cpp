@@ -32,10 +32,10 @@ heldOutRoof ()
 {
   return make ("held-out roof", -1.0, 1.0, -0.7, 0.7, [] (auto u, auto v) {
     using T = decltype (u);
-    static constexpr double ROUND = 0.035;
+    static constexpr double ROUND = 0.05;
     const auto plane = [] (auto height) { return exp (height / ROUND); };
-    const T soft = plane (0.55 * v) + plane (-0.55 * v) + plane (0.7 * (u - 0.4)) +
-                   plane (-0.7 * (u + 0.4));
+    const T soft = plane (1.2 * v) + plane (-1.2 * v) + plane (1.4 * (u - 0.4)) +
+                   plane (-1.4 * (u + 0.4));
     return std::array<T, 3>{u, v, -ROUND * log (soft)};
   });
 }
