@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How near the lines of the Feature come to the exact crest lines of analytic surfaces.
 #include "cloud_files.h"
-#include "options.h"
+#include "settings.h"
 #include "summary.h"
 #include "surface_list.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <sstream>
 
@@ -14,62 +13,17 @@ namespace {
 
 using accuracy::SurfaceScore;
 
-struct Settings {
-  std::vector<std::string> surfaces, presets, samplings;
-  std::vector<double> noises;
+struct SurfaceSettings : accuracy::Settings {
+  std::vector<std::string> surfaces;
+  std::vector<std::string> samplings{"even"};
   int points = 20000;
-  unsigned seed = 1;
-  unsigned threads = 0;
-  std::string json;
+  /** where to write clouds and truths, if anywhere */
   std::string files;
-  bool help = false;
-  bool exact_normals = false;
 };
-
-std::vector<std::string>
-splitAtCommas (const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::istringstream stream (text);
-  for (std::string part; std::getline (stream, part, ',');)
-    parts.push_back (part);
-  return parts;
-}
-
-/** \brief Takes a list of which every part has to be one of `known`. */
-pcl::crest::Options::Take
-takeNames (std::vector<std::string>& names, const std::vector<std::string>& known)
-{
-  return [&names, known] (const std::string& value) {
-    names = splitAtCommas (value);
-    for (const std::string& name : names)
-      if (std::find (known.begin(), known.end(), name) == known.end()) {
-        std::string right = "one or more, with commas between, of:";
-        for (const std::string& one : known)
-          right += ' ' + one;
-        return right;
-      }
-    return std::string();
-  };
-}
-
-std::string
-takeNoises (const std::string& value, std::vector<double>& noises)
-{
-  noises.clear();
-  for (const std::string& part : splitAtCommas (value)) {
-    std::istringstream stream (part);
-    double noise = 0.0;
-    if (!(stream >> noise) || !stream.eof() || noise < 0.0)
-      return "numbers from 0 on, with commas between";
-    noises.push_back (noise);
-  }
-  return {};
-}
 
 /** \brief A file for the surface, with what else tells it from others. */
 std::string
-fileName (const Settings& settings, std::string surface, const std::string& rest)
+fileName (const SurfaceSettings& settings, std::string surface, const std::string& rest)
 {
   std::replace (surface.begin(), surface.end(), ' ', '_');
   return settings.files + '/' + surface + rest;
@@ -78,7 +32,7 @@ fileName (const Settings& settings, std::string surface, const std::string& rest
 /** \brief Scores all runs on a surface; false if a file could not be written. */
 bool
 measure (const accuracy::ListedSurface& listed,
-         const Settings& settings,
+         const SurfaceSettings& settings,
          std::vector<SurfaceScore>& scores)
 {
   std::vector<oracle::TruthSegment> truth;
@@ -108,12 +62,10 @@ measure (const accuracy::ListedSurface& listed,
                                  fileName (settings, listed.surface.name, rest.str())))
         return false;
       for (const std::string& preset : settings.presets) {
-        pcl::crest::Parameters parameters;
-        parameters.preset =
-            preset == "auto" ? pcl::crest::Preset::AUTO : pcl::crest::Preset::PAPER;
-        parameters.threads = settings.threads;
+        const accuracy::TimedRun run =
+            accuracy::timedRun (cloud, preset, settings.threads);
         SurfaceScore score =
-            accuracy::scoreRun (cloud, samples.spacing, truth, curvatures, parameters);
+            accuracy::scoreSurface (run, samples.spacing, truth, curvatures);
         score.surface = listed.surface.name;
         score.group = listed.group;
         score.sampling = sampling;
@@ -132,9 +84,7 @@ measure (const accuracy::ListedSurface& listed,
 int
 main (int argc, char** argv)
 {
-  Settings settings;
-  settings.presets = {"auto", "paper"};
-  settings.samplings = {"even"};
+  SurfaceSettings settings;
   settings.noises = {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 
   pcl::crest::Options options;
@@ -142,29 +92,16 @@ main (int argc, char** argv)
                "A,B",
                "names, or the groups tuned, held_out, silent (all)",
                [&] (const std::string& value) {
-                 settings.surfaces = splitAtCommas (value);
+                 settings.surfaces = accuracy::splitAtCommas (value);
                  return std::string();
                });
-  options.add (
-      "-noise",
-      "X,Y",
-      "noises in spacings (0,.02,.05,.1,.2,.5,1)",
-      [&] (const std::string& value) { return takeNoises (value, settings.noises); });
-  options.add ("-presets",
-               "A,B",
-               "of auto, paper (both)",
-               takeNames (settings.presets, {"auto", "paper"}));
   options.add ("-sampling",
                "A,B",
                "of even, density, scan_lines, correlated (even)",
-               takeNames (settings.samplings, accuracy::samplingNames()));
-  options.addFlag ("-exact_normals", "the true normals", settings.exact_normals);
+               accuracy::takeNames (settings.samplings, accuracy::samplingNames()));
   options.addNumber ("-points", "samples of a surface", settings.points);
-  options.addNumber ("-seed", "of samples and noise", settings.seed);
-  options.addNumber ("-threads", "0 takes all processors", settings.threads);
-  options.addFlag ("-h", "show this and do nothing else", settings.help);
-  options.addText ("-files", "FOLDER", "write clouds and truths", settings.files);
-  options.addText ("-json", "FILE", "write all scores", settings.json);
+  options.addText ("-files", "FOLDER", "write clouds and truths there", settings.files);
+  accuracy::addSettings (options, settings);
 
   std::vector<std::string> others;
   std::string error;
@@ -186,9 +123,7 @@ main (int argc, char** argv)
     return 1;
   }
 
-  std::printf ("| surface | sampling | noise | preset | type | P | R | err | ratio | "
-               "drawn | salient | lines | closed | junctions | k1 | ms |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  accuracy::printHead();
   std::vector<SurfaceScore> scores;
   for (const accuracy::ListedSurface& listed : surfaces)
     if (!measure (listed, settings, scores)) {

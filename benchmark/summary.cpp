@@ -15,12 +15,6 @@ namespace {
 
 constexpr double LEAST_LENGTH = 10.0;
 
-const char*
-nameOf (pcl::crest::CrestType type)
-{
-  return type == pcl::crest::CrestType::RIDGE ? "ridge" : "valley";
-}
-
 /** \brief Mean and the worst of a figure, and whose it is. */
 struct Figure {
   double sum = 0.0;
@@ -54,29 +48,27 @@ struct Group {
 } // namespace
 
 void
+printHead ()
+{
+  std::printf ("| surface | sampling | noise | preset | k1 | ms %s\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+               rowHead().c_str());
+}
+
+void
 printRows (const SurfaceScore& score)
 {
   for (const TypeScore& t : score.types) {
     if (t.true_length == 0.0 && t.drawn_length == 0.0)
       continue;
-    std::printf ("| %s | %s | %g | %s | %s | %.3f | %.3f | %.2f | %.2f | %.0f | %.0f | "
-                 "%zu | %zu | %zu | %.3f | %.0f |\n",
+    std::printf ("| %s | %s | %g | %s | %.3f | %.0f %s\n",
                  score.surface.c_str(),
                  score.sampling.c_str(),
                  score.noise,
                  score.preset.c_str(),
-                 nameOf (t.type),
-                 t.precision,
-                 t.recall,
-                 t.error,
-                 t.salient_length > 0.0 ? t.drawn_length / t.salient_length : 0.0,
-                 t.drawn_length,
-                 t.salient_length,
-                 t.lines,
-                 t.closed,
-                 t.junctions,
                  score.curvature_error,
-                 score.milliseconds);
+                 score.milliseconds,
+                 toRow (t).c_str());
   }
   std::fflush (stdout);
 }
@@ -139,15 +131,7 @@ writeJson (const std::vector<SurfaceScore>& scores,
                        {"milliseconds", score.milliseconds},
                        {"curvature_error", finite (score.curvature_error)}};
     for (const TypeScore& t : score.types)
-      run[nameOf (t.type)] = {{"precision", t.precision},
-                              {"recall", t.recall},
-                              {"error", t.error},
-                              {"drawn_length", t.drawn_length},
-                              {"salient_length", t.salient_length},
-                              {"true_length", t.true_length},
-                              {"lines", t.lines},
-                              {"closed", t.closed},
-                              {"junctions", t.junctions}};
+      run[nameOf (t.type)] = toJson (t);
     runs.push_back (run);
   }
   std::ofstream stream (file);

@@ -9,6 +9,10 @@
 
 namespace accuracy {
 
+/** \brief The head of the Markdown table of printRows. */
+void
+printHead ();
+
 /** \brief A line of a Markdown table for each type that has truth or lines. */
 void
 printRows (const SurfaceScore& score);

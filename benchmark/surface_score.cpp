@@ -1,59 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_score.h"
 
-#include <pcl_crest/crest_line_estimation.h>
-
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace accuracy {
 
 namespace {
-
-using pcl::crest::CrestLine;
-using pcl::crest::CrestType;
-using pcl::crest::LineEnd;
-
-TypeScore
-scoreType (const std::vector<CrestLine>& lines,
-           const pcl::PointCloud<pcl::PointNormal>& line_cloud,
-           double spacing,
-           const std::vector<oracle::TruthSegment>& truth,
-           CrestType type)
-{
-  const oracle::LineScore score =
-      oracle::scoreLines (lines, line_cloud, truth, type, TOLERANCE * spacing);
-  TypeScore result{};
-  result.type = type;
-  result.precision = score.precision;
-  result.recall = score.recall;
-  result.error = TOLERANCE * score.error;
-  result.drawn_length = score.drawn_length / spacing;
-  result.salient_length = score.salient_length / spacing;
-  for (const oracle::TruthSegment& s : truth)
-    if (s.type == type)
-      result.true_length += (s.b - s.a).norm() / spacing;
-  std::set<pcl::index_t> junctions;
-  for (const CrestLine& line : lines) {
-    if (line.type != type)
-      continue;
-    ++result.lines;
-    result.closed += line.closed ? 1 : 0;
-    for (std::size_t i = 0; i < line.polylines.size(); ++i) {
-      if (line.ends[i][0] == LineEnd::JUNCTION)
-        junctions.insert (line.polylines[i].front());
-      if (line.ends[i][1] == LineEnd::JUNCTION)
-        junctions.insert (line.polylines[i].back());
-    }
-  }
-  result.junctions = junctions.size();
-  return result;
-}
 
 double
 medianError (const pcl::PointCloud<pcl::PrincipalCurvatures>& estimated,
@@ -104,32 +60,22 @@ exactCurvatures (const oracle::AnalyticSurface& surface,
 }
 
 SurfaceScore
-scoreRun (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
-          double spacing,
-          const std::vector<oracle::TruthSegment>& truth,
-          const std::vector<std::pair<std::size_t, double>>& curvatures,
-          const pcl::crest::Parameters& parameters)
+scoreSurface (const TimedRun& run,
+              double spacing,
+              const std::vector<oracle::TruthSegment>& truth,
+              const std::vector<std::pair<std::size_t, double>>& curvatures)
 {
-  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
-  estimation.setInputCloud (cloud);
-  estimation.setParameters (parameters);
-  pcl::PointCloud<pcl::Label> labels;
-  const auto start = std::chrono::steady_clock::now();
-  estimation.compute (labels);
-  const std::chrono::duration<double, std::milli> took =
-      std::chrono::steady_clock::now() - start;
-
   SurfaceScore result{};
-  result.points = cloud->size();
-  result.milliseconds = took.count();
-  result.curvature_error =
-      medianError (estimation.getPrincipalCurvatures(), curvatures);
+  result.points = run.line_cloud->size();
+  result.milliseconds = run.milliseconds;
+  result.curvature_error = medianError (run.curvatures, curvatures);
   for (std::size_t i = 0; i < 2; ++i)
-    result.types[i] = scoreType (estimation.getLines(),
-                                 *estimation.getLineCloud(),
-                                 spacing,
+    result.types[i] = scoreType (run.lines,
+                                 *run.line_cloud,
                                  truth,
-                                 pcl::crest::CREST_TYPES[i]);
+                                 pcl::crest::CREST_TYPES[i],
+                                 spacing,
+                                 TOLERANCE);
   return result;
 }
 
