@@ -50,11 +50,10 @@ measure (const accuracy::ListedSurface& listed,
                             settings.seed);
     const auto curvatures = accuracy::exactCurvatures (listed.surface, samples, truth);
     for (const double noise : settings.noises) {
-      const auto cloud = accuracy::scan (samples,
-                                         noise * samples.spacing,
-                                         sampling == "correlated",
-                                         settings.exact_normals,
-                                         settings.seed);
+      const double spread = sampling == "correlated" ? 3.0 * samples.spacing : 0.0;
+      const auto cloud = accuracy::scan (
+          *samples.cloud,
+          {noise * samples.spacing, spread, settings.exact_normals, settings.seed});
       std::ostringstream rest;
       rest << '_' << sampling << '_' << noise << ".ply";
       if (!settings.files.empty() &&

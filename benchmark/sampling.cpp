@@ -33,26 +33,25 @@ sampleEvenly (const oracle::AnalyticSurface& surface, std::size_t count, unsigne
   return samples;
 }
 
-/** \brief Smoothes independent noise with a Gaussian of a spread of three spacings
- * over the samples, to unit variance.
- */
+/** \brief Independent noise, smoothed over the samples, of unit variance. */
 std::vector<Eigen::Vector3f>
-smoothNoise (const Samples& samples, std::mt19937& random)
+smoothNoise (const Cloud& samples, double spread, unsigned seed)
 {
+  std::mt19937 random (seed);
   std::normal_distribution<float> noise (0.0F, 1.0F);
-  std::vector<Eigen::Vector3f> rough (samples.cloud->size());
+  std::vector<Eigen::Vector3f> rough (samples.size());
   for (Eigen::Vector3f& value : rough)
-    value = {noise (random), noise (random), noise (random)};
+    for (float& x : value)
+      x = noise (random);
 
-  const double spread = 3.0 * samples.spacing;
   pcl::search::KdTree<pcl::PointNormal> tree;
-  tree.setInputCloud (samples.cloud);
+  tree.setInputCloud (samples.makeShared());
   std::vector<Eigen::Vector3f> smooth (rough.size());
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::size_t i = 0; i < rough.size(); ++i) {
     pcl::Indices found;
     std::vector<float> squared;
-    tree.radiusSearch ((*samples.cloud)[i], 2.5 * spread, found, squared);
+    tree.radiusSearch (samples[i], 2.5 * spread, found, squared);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float squares = 0.0F;
     for (std::size_t j = 0; j < found.size(); ++j) {
@@ -113,26 +112,22 @@ sampleAs (const std::string& sampling,
 }
 
 Cloud::Ptr
-scan (const Samples& samples,
-      double standard_deviation,
-      bool correlated,
-      bool exact_normals,
-      unsigned seed)
+scan (const Cloud& exact, const Scan& how)
 {
   Cloud::Ptr cloud;
-  if (correlated) {
-    std::mt19937 random (seed);
-    Cloud moved = *samples.cloud;
-    const std::vector<Eigen::Vector3f> noise = smoothNoise (samples, random);
+  if (how.spread > 0.0) {
+    Cloud moved = exact;
+    const std::vector<Eigen::Vector3f> noise =
+        smoothNoise (exact, how.spread, how.seed);
     for (std::size_t i = 0; i < moved.size(); ++i)
-      moved[i].getVector3fMap() += static_cast<float> (standard_deviation) * noise[i];
-    cloud = oracle::withNoise (moved, 0.0, seed);
+      moved[i].getVector3fMap() += static_cast<float> (how.noise) * noise[i];
+    cloud = oracle::withNoise (moved, 0.0);
   }
   else
-    cloud = oracle::withNoise (*samples.cloud, standard_deviation, seed);
-  if (exact_normals)
+    cloud = oracle::withNoise (exact, how.noise, how.seed);
+  if (how.exact_normals)
     for (std::size_t i = 0; i < cloud->size(); ++i)
-      (*cloud)[i].getNormalVector3fMap() = (*samples.cloud)[i].getNormalVector3fMap();
+      (*cloud)[i].getNormalVector3fMap() = exact[i].getNormalVector3fMap();
   return cloud;
 }
 

@@ -31,17 +31,19 @@ sampleAs (const std::string& sampling,
           std::size_t count,
           unsigned seed);
 
-/** \brief Adds noise and estimates normals, see oracle::withNoise.
- * \param[in] standard_deviation of the noise along each axis
- * \param[in] correlated smooth the noise over three spacings; its deviation is that
- * after smoothing
- * \param[in] exact_normals keep the true normals
- */
+/** \brief How a scan differs from exact samples. */
+struct Scan {
+  /** standard deviation of the noise along each axis */
+  double noise;
+  /** smooth the noise with a Gaussian of this spread, to the same deviation; 0 leaves
+   * it independent */
+  double spread;
+  /** keep the true normals instead of estimating them (see oracle::withNoise) */
+  bool exact_normals;
+  unsigned seed;
+};
+
 pcl::PointCloud<pcl::PointNormal>::Ptr
-scan (const Samples& samples,
-      double standard_deviation,
-      bool correlated,
-      bool exact_normals,
-      unsigned seed);
+scan (const pcl::PointCloud<pcl::PointNormal>& exact, const Scan& how);
 
 } // namespace accuracy

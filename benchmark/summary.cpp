@@ -82,7 +82,8 @@ printSummary (const std::vector<SurfaceScore>& scores)
     group.milliseconds += score.milliseconds;
     double wrong = 0.0;
     for (const TypeScore& t : score.types) {
-      wrong += t.drawn_length * (1.0 - t.precision);
+      if (t.drawn_length > 0.0)
+        wrong += t.drawn_length * (1.0 - t.precision);
       const std::string name = score.surface + ' ' + nameOf (t.type);
       if (t.drawn_length >= LEAST_LENGTH)
         group.precision.add (t.precision, false, name);

@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 
 namespace accuracy {
@@ -24,9 +26,10 @@ scoreType (const std::vector<CrestLine>& lines,
       oracle::scoreLines (lines, line_cloud, truth, type, tolerance * spacing);
   TypeScore result{};
   result.type = type;
-  result.precision = score.precision;
-  result.recall = score.recall;
-  result.error = tolerance * score.error;
+  constexpr double UNDEFINED = std::numeric_limits<double>::quiet_NaN();
+  result.precision = score.drawn_length > 0.0 ? score.precision : UNDEFINED;
+  result.recall = score.salient_length > 0.0 ? score.recall : UNDEFINED;
+  result.error = result.precision > 0.0 ? tolerance * score.error : UNDEFINED;
   result.drawn_length = score.drawn_length / spacing;
   result.salient_length = score.salient_length / spacing;
   for (const oracle::TruthSegment& s : truth)
@@ -65,9 +68,12 @@ nameOf (CrestType type)
 nlohmann::json
 toJson (const TypeScore& score)
 {
-  return {{"precision", score.precision},
-          {"recall", score.recall},
-          {"error", score.error},
+  const auto known = [] (double value) {
+    return std::isnan (value) ? nlohmann::json() : nlohmann::json (value);
+  };
+  return {{"precision", known (score.precision)},
+          {"recall", known (score.recall)},
+          {"error", known (score.error)},
           {"drawn_length", score.drawn_length},
           {"salient_length", score.salient_length},
           {"true_length", score.true_length},

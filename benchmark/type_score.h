@@ -12,7 +12,8 @@ namespace accuracy {
 /** \brief Lengths and distances in h, the spacing of the samples. */
 struct TypeScore {
   pcl::crest::CrestType type;
-  /** see oracle::LineScore */
+  /** see oracle::LineScore; NaN, null in JSON, where there is nothing to take a part of
+   */
   double precision, recall, error;
   double drawn_length, salient_length, true_length;
   std::size_t lines, closed, junctions;
