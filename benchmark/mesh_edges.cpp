@@ -12,7 +12,8 @@ namespace accuracy {
 
 namespace {
 
-constexpr double LEAST_ANGLE = 8.0 * 3.14159265358979323846 / 180.0;
+constexpr double DEGREE = 3.14159265358979323846 / 180.0;
+constexpr double LEAST_ANGLE = 8.0;
 
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;
@@ -99,14 +100,16 @@ sharpEdgesOf (const Mesh& mesh)
       continue;
     const Eigen::Vector3d n = areaOf (mesh, mesh.faces[faces[0]]).normalized();
     const Eigen::Vector3d m = areaOf (mesh, mesh.faces[faces[1]]).normalized();
-    if (std::atan2 (n.cross (m).norm(), n.dot (m)) <= LEAST_ANGLE)
+    const double angle = std::atan2 (n.cross (m).norm(), n.dot (m)) / DEGREE;
+    if (angle <= LEAST_ANGLE)
       continue;
     const Eigen::Vector3d& a = mesh.vertices[ends.first];
     const bool convex = (middleOf (mesh, mesh.faces[faces[1]]) - a).dot (n) < 0.0;
     edges.push_back (
         {a,
          mesh.vertices[ends.second],
-         convex ? pcl::crest::CrestType::RIDGE : pcl::crest::CrestType::VALLEY});
+         convex ? pcl::crest::CrestType::RIDGE : pcl::crest::CrestType::VALLEY,
+         angle});
   }
   return edges;
 }

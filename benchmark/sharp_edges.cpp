@@ -83,8 +83,9 @@ cornersOf (const std::vector<SharpEdge>& edges)
 {
   std::map<std::array<double, 3>, int> meeting;
   for (const SharpEdge& edge : edges)
-    for (const Eigen::Vector3d& p : {edge.a, edge.b})
-      ++meeting[{p.x(), p.y(), p.z()}];
+    if (edge.angle > 25.0)
+      for (const Eigen::Vector3d& p : {edge.a, edge.b})
+        ++meeting[{p.x(), p.y(), p.z()}];
   std::vector<Eigen::Vector3d> corners;
   for (const auto& [p, count] : meeting)
     if (count >= 3)

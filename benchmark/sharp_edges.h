@@ -11,6 +11,8 @@ namespace accuracy {
 struct SharpEdge {
   Eigen::Vector3d a, b;
   pcl::crest::CrestType type;
+  /** between the normals of its two faces, in degrees */
+  double angle;
 };
 
 struct SharpObject {
@@ -20,7 +22,9 @@ struct SharpObject {
   std::vector<SharpEdge> edges;
 };
 
-/** \brief Where at least three edges meet, that is have an end in common. */
+/** \brief Where at least three edges of more than 25 degrees, the least turning angle
+ * of lines by default, have an end in common.
+ */
 std::vector<Eigen::Vector3d>
 cornersOf (const std::vector<SharpEdge>& edges);
 
