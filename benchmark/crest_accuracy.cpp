@@ -16,6 +16,8 @@ using accuracy::SurfaceScore;
 struct SurfaceSettings : accuracy::Settings {
   std::vector<std::string> surfaces;
   std::vector<std::string> samplings{"even"};
+  /** in h, of all samplings but even ones */
+  double other_noise = 0.1;
   int points = 20000;
   /** where to write clouds and truths, if anywhere */
   std::string files;
@@ -37,7 +39,7 @@ measure (const accuracy::ListedSurface& listed,
 {
   std::vector<oracle::TruthSegment> truth;
   if (listed.group != "silent")
-    truth = oracle::trueCrestLines (listed.surface);
+    truth = oracle::trueCrestLines (listed.surface, accuracy::TRUTH_CELLS);
   if (!settings.files.empty() &&
       !accuracy::writeTruth (truth,
                              fileName (settings, listed.surface.name, "_truth.obj")))
@@ -49,11 +51,14 @@ measure (const accuracy::ListedSurface& listed,
                             static_cast<std::size_t> (settings.points),
                             settings.seed);
     const auto curvatures = accuracy::exactCurvatures (listed.surface, samples, truth);
-    for (const double noise : settings.noises) {
+    const bool even = sampling == "even";
+    for (const double noise :
+         even ? settings.noises : std::vector<double>{settings.other_noise}) {
       const double spread = sampling == "correlated" ? 3.0 * samples.spacing : 0.0;
+      const bool exact_normals = settings.exact_normals || sampling == "exact_normals";
       const auto cloud = accuracy::scan (
           *samples.cloud,
-          {noise * samples.spacing, spread, settings.exact_normals, settings.seed});
+          {noise * samples.spacing, spread, exact_normals, settings.seed});
       std::ostringstream rest;
       rest << '_' << sampling << '_' << noise << ".ply";
       if (!settings.files.empty() &&
@@ -96,8 +101,9 @@ main (int argc, char** argv)
                });
   options.add ("-sampling",
                "A,B",
-               "of even, density, scan_lines, correlated (even)",
+               "of even, density, scan_lines, correlated, exact_normals (even)",
                accuracy::takeNames (settings.samplings, accuracy::samplingNames()));
+  options.addNumber ("-other_noise", "in spacings, if not even", settings.other_noise);
   options.addNumber ("-points", "samples of a surface", settings.points);
   options.addText ("-files", "FOLDER", "write clouds and truths there", settings.files);
   accuracy::addSettings (options, settings);

@@ -205,7 +205,7 @@ main (int argc, char** argv)
   for (const accuracy::ListedSurface& listed : surfaces) {
     const double spacing = oracle::meanSpacing (
         *oracle::sample (listed.surface, static_cast<std::size_t> (points)));
-    const auto truth = oracle::trueCrestLines (listed.surface);
+    const auto truth = oracle::trueCrestLines (listed.surface, accuracy::TRUTH_CELLS);
     Vectors normals;
     Mesh mesh = makeMesh (listed.surface, points, normals);
     const accuracy::TimedRun run = findRidges (mesh, normals);

@@ -71,7 +71,7 @@ const std::vector<std::string>&
 samplingNames ()
 {
   static const std::vector<std::string> names{
-      "even", "density", "scan_lines", "correlated"};
+      "even", "density", "scan_lines", "correlated", "exact_normals"};
   return names;
 }
 

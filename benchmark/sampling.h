@@ -19,7 +19,8 @@ struct Samples {
 };
 
 /** \brief "even", "density" (falls to a tenth along x), "scan_lines" (four times as
- * dense along y as along x) or "correlated" (even; the noise is what differs).
+ * dense along y as along x), and even ones that are scanned otherwise: "correlated"
+ * noise, "exact_normals".
  */
 const std::vector<std::string>&
 samplingNames ();

@@ -13,6 +13,9 @@ namespace accuracy {
 /** \brief What is within this many h of a line is on it. */
 constexpr double TOLERANCE = 1.5;
 
+/** \brief Of the grid that truths are found on: its steps are about half an h. */
+constexpr int TRUTH_CELLS = 400;
+
 struct SurfaceScore {
   std::string surface, group, sampling;
   double noise;

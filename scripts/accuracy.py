@@ -121,7 +121,7 @@ def counts(runs, noise):
 
 
 def silence(runs):
-    """Total false length of each cloud, worst over the presets' noises first."""
+    """Total false length of each cloud."""
     names = list(dict.fromkeys(r["surface"] for r in runs))
     rows = []
     for sampling, preset, noise in dict.fromkeys((r["sampling"], r["preset"], r["noise"]) for r in runs):
@@ -132,17 +132,13 @@ def silence(runs):
     return table(["samples", "preset", "noise", *names], rows)
 
 
-def variants(runs, exact):
-    rows = []
+def variants(runs):
     names = {"density": "density falling 1 : 10 along x", "scan_lines": "scan lines, 1 : 4",
-             "correlated": "noise smoothed over 3 h"}
+             "correlated": "noise smoothed over 3 h", "exact_normals": "true normals"}
+    rows = []
     for sampling, noise in dict.fromkeys((r["sampling"], r["noise"]) for r in runs):
-        if sampling == "correlated" and noise == 0:
-            continue
-        chosen = [r for r in runs if (r["sampling"], r["noise"]) == (sampling, noise)]
+        chosen = [r for r in runs if r["sampling"] == sampling]
         rows.append([names[sampling], f"{noise:g} h", *variant_cells(chosen)])
-    for noise in dict.fromkeys(r["noise"] for r in exact):
-        rows.append(["true normals", f"{noise:g} h", *variant_cells([r for r in exact if r["noise"] == noise])])
     return table(["samples", "noise", "P: mean", "worst", "R: mean", "worst", "error: mean", "worst"], rows)
 
 
@@ -185,11 +181,8 @@ def main():
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as name:
         scratch = Path(name)
-        everything = measure(scratch, "crest_accuracy")
-        sampled = measure(scratch, "crest_accuracy", "-sampling", "density,scan_lines,correlated",
-                          "-noise", "0,.1", "-presets", "auto")
-        exact = measure(scratch, "crest_accuracy", "-surfaces", "tuned,held_out", "-exact_normals",
-                        "-noise", ".2", "-presets", "auto")
+        all_runs = measure(scratch, "crest_accuracy", "-sampling",
+                           "even,density,scan_lines,correlated,exact_normals")
         meshes = [PACKAGE / "fandisk.off"]
         if OWN_FOLDER and (OWN_FOLDER / "abc_00000006.obj").exists():
             meshes.append(OWN_FOLDER / "abc_00000006.obj")
@@ -200,6 +193,8 @@ def main():
         surface_sheet([scratch / f'{surface.replace(" ", "_")}_even_0.2.ply' for surface in SHOWN], scratch)
         scans = contact_sheets(scratch)
 
+    everything = [r for r in all_runs if r["sampling"] == "even"]
+    others = [r for r in all_runs if r["sampling"] != "even"]
     tuned = [r for r in everything if r["group"] == "tuned"]
     held_out = [r for r in everything if r["group"] == "held_out"]
     noises = sorted({r["noise"] for r in everything})
@@ -259,13 +254,13 @@ is {100 * CURVATURE_GOAL:.0f} %), all surfaces:
 Total length drawn, in h, on surfaces without crest lines. The goal for auto is less than
 {SILENCE_GOAL} h a cloud.
 
-{silence([r for r in everything + sampled if r["group"] == "silent"])}
+{silence([r for r in all_runs if r["group"] == "silent"])}
 
 ## Other samples and noise
 
-Auto, tuned and held-out surfaces together.
+Auto, tuned and held-out surfaces together; h is the mean spacing of each cloud.
 
-{variants([r for r in sampled if r["group"] != "silent"], exact)}
+{variants([r for r in auto(others) if r["group"] != "silent"])}
 
 ## Sharp edges
 

@@ -16,7 +16,8 @@ Scan = namedtuple("Scan", "name title file camera")
 SCANS = [
     Scan("bunny", "Stanford bunny, closed (`bunny00.off`)", PACKAGE / "bunny00.off", []),
     Scan("dragon", "Stanford dragon (`dragon_vrip_res2.ply`)", PACKAGE / "dragon_vrip_res2.ply", []),
-    Scan("fandisk", "fandisk (`fandisk.off`), vertices", PACKAGE / "fandisk.off", []),
+    Scan("fandisk", "fandisk (`fandisk.off`), vertices", PACKAGE / "fandisk.off",
+         ["-cam", "0.1,10/0,0,0/0.94,1.06,1.65/0,1,0/0.5236/460,460/0,0"]),
 ]
 if OWN_FOLDER:
     SCANS += [
@@ -25,7 +26,8 @@ if OWN_FOLDER:
         Scan("terrain", "terrain (`jacksboro_fault_dem.ply`)", OWN_FOLDER / "jacksboro_fault_dem.ply", []),
         Scan("table", "table, laser scan (`table_scene_lms400_downsampled.pcd`)",
              OWN_FOLDER / "table_scene_lms400_downsampled.pcd", []),
-        Scan("street", "street, lidar (`velodyne_street.pcd`)", OWN_FOLDER / "velodyne_street.pcd", []),
+        Scan("street", "street, lidar (`velodyne_street.pcd`)", OWN_FOLDER / "velodyne_street.pcd",
+             ["-cam", "1,400/0,0,0/-30,-25,35/0,0,1/0.5236/460,460/0,0"]),
     ]
 
 

@@ -9,8 +9,9 @@
 
 #include <array>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <random>
+#include <unordered_map>
 
 namespace oracle {
 
@@ -151,19 +152,21 @@ sample (const AnalyticSurface& surface,
   // Disks thrown until hardly any more fit cover the plane to this degree.
   const double disk = 0.77 * std::sqrt (area / static_cast<double> (count));
 
-  using Cell = std::array<int, 3>;
-  std::map<Cell, std::vector<Eigen::Vector3d>> taken;
-  const auto cellOf = [&] (const Eigen::Vector3d& p) {
-    return Cell{static_cast<int> (std::floor (p.x() / disk)),
-                static_cast<int> (std::floor (p.y() / disk)),
-                static_cast<int> (std::floor (p.z() / disk))};
+  const auto cellOf = [&] (const Eigen::Vector3d& p) -> Eigen::Vector3i {
+    return (p / disk).array().floor().cast<int>();
   };
+  // Far more cells than any surface here has are told apart.
+  const auto key = [] (const Eigen::Vector3i& cell) {
+    constexpr std::int64_t WIDTH = 1 << 20;
+    return (cell.x() * WIDTH + cell.y()) * WIDTH + cell.z();
+  };
+  std::unordered_map<std::int64_t, std::vector<Eigen::Vector3d>> taken;
   const auto isFree = [&] (const Eigen::Vector3d& p) {
-    const Cell center = cellOf (p);
+    const Eigen::Vector3i center = cellOf (p);
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j)
         for (int k = -1; k <= 1; ++k) {
-          const auto cell = taken.find ({center[0] + i, center[1] + j, center[2] + k});
+          const auto cell = taken.find (key (center + Eigen::Vector3i (i, j, k)));
           if (cell == taken.end())
             continue;
           for (const Eigen::Vector3d& q : cell->second)
@@ -184,7 +187,7 @@ sample (const AnalyticSurface& surface,
     const Eigen::Vector3d p = surface.position (u, v);
     if (!isFree (p))
       continue;
-    taken[cellOf (p)].push_back (p);
+    taken[key (cellOf (p))].push_back (p);
     pcl::PointNormal point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() = unitNormal (surface, u, v).cast<float>();
