@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes docs/reproduction.md and its pictures; scripts/reproduce prepares and calls it."""
 import json
-import os
 import statistics
-import subprocess
 import tempfile
 from collections import namedtuple
 from pathlib import Path
@@ -13,10 +11,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-ROOT = Path(__file__).resolve().parent.parent
-BIN = ROOT / "build" / "bin"
-PICTURES = ROOT / "docs" / "pictures"
-BLUE, RED = "#1f3fd0", "#d01f1f"
+from common import BIN, BLUE, OWN_FOLDER, PACKAGE, PICTURES, RED, ROOT, processor, quantise, run, screenshot
 
 Model = namedtuple("Model", "name title file thresholds camera paper")
 PAPER = ["-preset", "paper"]
@@ -24,25 +19,18 @@ PAPER = ["-preset", "paper"]
 BUNNY = ["-M_ridge", "2", "-S_ridge", "20", "-M_valley", "1", "-S_valley", "15"]
 # The armadillo turns its back to the default view.
 FROM_BEHIND = ["-cam", "1,2000/0,21,0/0,21,-330/0,1,0/0.5236/560,560/0,0"]
-PACKAGE = ROOT / "build" / "data"
 MODELS = [
     Model("bunny", "Stanford bunny, closed (`bunny00.off`)", PACKAGE / "bunny00.off", BUNNY, [], None),
     Model("armadillo", "armadillo, in place of Igea (`armadillo.off`)", PACKAGE / "armadillo.off", [], FROM_BEHIND, None),
     Model("diplodocus", "diplodocus, in place of the dinosaur (`diplodocus.off`)", PACKAGE / "diplodocus.off", [], [], None),
 ]
-OWN_FOLDER = os.environ.get("PCL_CREST_DATA")
 if OWN_FOLDER:
-    folder = Path(OWN_FOLDER)
     own = [
-        Model("paper_bunny", "Stanford bunny", folder / "stanford_bunny_35947.ply", BUNNY, [], 27),
-        Model("paper_igea", "Igea", folder / "igea_33587.ply", [], [], 24),
-        Model("paper_dinosaur", "Dinosaur", folder / "dinosaur_14000.obj", [], [], 21),
+        Model("paper_bunny", "Stanford bunny", OWN_FOLDER / "stanford_bunny_35947.ply", BUNNY, [], 27),
+        Model("paper_igea", "Igea", OWN_FOLDER / "igea_33587.ply", [], [], 24),
+        Model("paper_dinosaur", "Dinosaur", OWN_FOLDER / "dinosaur_14000.obj", [], [], 21),
     ]
     MODELS += [model for model in own if model.file.exists()]
-
-
-def run(*command):
-    subprocess.run([str(part) for part in command], check=True, stdout=subprocess.DEVNULL)
 
 
 def extract(model, thresholds, scratch):
@@ -54,9 +42,8 @@ def extract(model, thresholds, scratch):
 
 
 def picture(model, thresholds, file, size):
-    run("xvfb-run", "-a", "-s", "-screen 0 1280x1280x24 -noreset", BIN / "pcl_crest_viewer",
-        model.file, *PAPER, *thresholds, *model.camera, "-size", f"{size}x{size}", "-screenshot", file)
-    run("mogrify", "-colors", 128, "-define", "png:exclude-chunks=date,time", file)
+    screenshot(model.file, [*PAPER, *thresholds, *model.camera], file, size)
+    quantise(file)
 
 
 # What is neither reading nor writing files nor making normals, which the paper's times
@@ -102,8 +89,7 @@ def figure_8(model, scratch):
         picture(model, thresholds, scratch / f"m{m}.png", 560)
     run("montage", *(scratch / f"m{m}.png" for m in ("0.01", "1", "3", "6")),
         "-tile", "2x2", "-geometry", "+2+2", PICTURES / f"figure8_{model.name}.png")
-    run("mogrify", "-colors", 128, "-define", "png:exclude-chunks=date,time",
-        PICTURES / f"figure8_{model.name}.png")
+    quantise(PICTURES / f"figure8_{model.name}.png")
     return rows
 
 
@@ -122,13 +108,6 @@ def size_chart(model, scratch):
     axes.legend()
     figure.tight_layout()
     figure.savefig(PICTURES / f"sizes_{model.name}.png", dpi=100, metadata={"Software": None})
-
-
-def processor():
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":")[1].strip()
-    return "unknown processor"
 
 
 def main():

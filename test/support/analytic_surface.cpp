@@ -3,68 +3,17 @@
 
 #include <pcl/search/kdtree.h>
 
-#include <boost/math/differentiation/autodiff.hpp>
-
 #include <Eigen/Geometry>
+
+#include "surface_formula.h"
 
 #include <array>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <random>
+#include <unordered_map>
 
 namespace oracle {
-
-namespace {
-
-using boost::math::differentiation::make_ftuple;
-constexpr double PI = 3.14159265358979323846;
-
-/** \brief Makes a surface of a formula that maps (u, v) of any number type to xyz. */
-template <typename Formula>
-AnalyticSurface
-make (std::string name,
-      double u_min,
-      double u_max,
-      double v_min,
-      double v_max,
-      Formula formula)
-{
-  const auto position = [formula] (double u, double v) {
-    const std::array<double, 3> x = formula (u, v);
-    return Eigen::Vector3d (x[0], x[1], x[2]);
-  };
-  const auto derivatives = [formula] (double u, double v) {
-    const auto variables = make_ftuple<double, 3, 3> (u, v);
-    // The first variable knows nothing of the second: adding zero makes them one type.
-    const auto zero = 0.0 * std::get<0> (variables) * std::get<1> (variables);
-    const auto x =
-        formula (std::get<0> (variables) + zero, std::get<1> (variables) + zero);
-    Derivatives result;
-    for (int i = 0; i <= 3; ++i)
-      for (int j = 0; i + j <= 3; ++j)
-        for (int axis = 0; axis < 3; ++axis)
-          result.d[i][j][axis] = x[axis].derivative (i, j);
-    return result;
-  };
-  return {std::move (name), u_min, u_max, v_min, v_max, position, derivatives};
-}
-
-/** \brief A surface that a radius as a function of the unit direction describes. */
-template <typename Radius>
-AnalyticSurface
-makeRadial (std::string name, double v_limit, Radius radius)
-{
-  return make (std::move (name), -PI, PI, -v_limit, v_limit, [radius] (auto u, auto v) {
-    using T = decltype (u);
-    const T x = cos (u) * cos (v);
-    const T y = sin (u) * cos (v);
-    const T z = sin (v);
-    const T r = radius (x, y, z);
-    return std::array<T, 3>{r * x, r * y, r * z};
-  });
-}
-
-} // namespace
 
 AnalyticSurface
 sphere (double radius)
@@ -173,7 +122,10 @@ unitNormal (const AnalyticSurface& surface, double u, double v)
 }
 
 pcl::PointCloud<pcl::PointNormal>::Ptr
-sample (const AnalyticSurface& surface, std::size_t count, unsigned seed)
+sample (const AnalyticSurface& surface,
+        std::size_t count,
+        unsigned seed,
+        std::vector<Eigen::Vector2d>* parameters)
 {
   std::mt19937 random (seed);
   std::uniform_real_distribution<double> in_u (surface.u_min, surface.u_max);
@@ -200,19 +152,21 @@ sample (const AnalyticSurface& surface, std::size_t count, unsigned seed)
   // Disks thrown until hardly any more fit cover the plane to this degree.
   const double disk = 0.77 * std::sqrt (area / static_cast<double> (count));
 
-  using Cell = std::array<int, 3>;
-  std::map<Cell, std::vector<Eigen::Vector3d>> taken;
-  const auto cellOf = [&] (const Eigen::Vector3d& p) {
-    return Cell{static_cast<int> (std::floor (p.x() / disk)),
-                static_cast<int> (std::floor (p.y() / disk)),
-                static_cast<int> (std::floor (p.z() / disk))};
+  const auto cellOf = [&] (const Eigen::Vector3d& p) -> Eigen::Vector3i {
+    return (p / disk).array().floor().cast<int>();
   };
+  // Far more cells than any surface here has are told apart.
+  const auto key = [] (const Eigen::Vector3i& cell) {
+    constexpr std::int64_t WIDTH = 1 << 20;
+    return (cell.x() * WIDTH + cell.y()) * WIDTH + cell.z();
+  };
+  std::unordered_map<std::int64_t, std::vector<Eigen::Vector3d>> taken;
   const auto isFree = [&] (const Eigen::Vector3d& p) {
-    const Cell center = cellOf (p);
+    const Eigen::Vector3i center = cellOf (p);
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j)
         for (int k = -1; k <= 1; ++k) {
-          const auto cell = taken.find ({center[0] + i, center[1] + j, center[2] + k});
+          const auto cell = taken.find (key (center + Eigen::Vector3i (i, j, k)));
           if (cell == taken.end())
             continue;
           for (const Eigen::Vector3d& q : cell->second)
@@ -233,11 +187,13 @@ sample (const AnalyticSurface& surface, std::size_t count, unsigned seed)
     const Eigen::Vector3d p = surface.position (u, v);
     if (!isFree (p))
       continue;
-    taken[cellOf (p)].push_back (p);
+    taken[key (cellOf (p))].push_back (p);
     pcl::PointNormal point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() = unitNormal (surface, u, v).cast<float>();
     cloud->push_back (point);
+    if (parameters != nullptr)
+      parameters->emplace_back (u, v);
   }
   return cloud;
 }

@@ -62,9 +62,13 @@ unitNormal (const AnalyticSurface& surface, double u, double v);
 
 /** \brief About `count` points spread evenly over the surface at random (Poisson
  * disks), with exact normals. The same seed gives the same cloud.
+ * \param[out] parameters the (u, v) of each point, if wanted
  */
 pcl::PointCloud<pcl::PointNormal>::Ptr
-sample (const AnalyticSurface& surface, std::size_t count, unsigned seed = 1);
+sample (const AnalyticSurface& surface,
+        std::size_t count,
+        unsigned seed = 1,
+        std::vector<Eigen::Vector2d>* parameters = nullptr);
 
 /** \brief Mean distance to the 6 nearest neighbours. */
 double

@@ -105,6 +105,23 @@ geometryAt (const AnalyticSurface& surface, double u, double v)
   return {d.d[0][0], k1.x, k2.x, t1, k1.u * t.x() + k1.v * t.y(), t};
 }
 
+namespace {
+
+/** \brief Whether the surface comes back to where it began along u, or v. */
+bool
+isClosed (const AnalyticSurface& surface, bool along_u)
+{
+  const double u = 0.3 * surface.u_min + 0.7 * surface.u_max;
+  const double v = 0.3 * surface.v_min + 0.7 * surface.v_max;
+  const Eigen::Vector3d first = along_u ? surface.position (surface.u_min, v)
+                                        : surface.position (u, surface.v_min);
+  const Eigen::Vector3d last = along_u ? surface.position (surface.u_max, v)
+                                       : surface.position (u, surface.v_max);
+  return (first - last).norm() < 1e-9;
+}
+
+} // namespace
+
 std::vector<TruthSegment>
 trueCrestLines (const AnalyticSurface& surface, int cells)
 {
@@ -117,7 +134,16 @@ trueCrestLines (const AnalyticSurface& surface, int cells)
   const auto vOf = [&] (int j) {
     return surface.v_min + (surface.v_max - surface.v_min) * (j - 0.37) / cells;
   };
-  const auto at = [&] (int i, int j) { return geometryAt (surface, uOf (i), vOf (j)); };
+  // Where a surface is closed, that would count the seam twice.
+  const int columns = isClosed (surface, true) ? cells : cells + 1;
+  const int rows = isClosed (surface, false) ? cells : cells + 1;
+  const auto columnAt = [&] (int i) {
+    std::vector<SurfacePoint> column (rows + 1);
+#pragma omp parallel for schedule(dynamic, 16)
+    for (int j = 0; j <= rows; ++j)
+      column[j] = geometryAt (surface, uOf (i), vOf (j));
+    return column;
+  };
   const auto typeOf = [] (const SurfacePoint& p) {
     return p.k1 > 0.0 ? pcl::crest::CrestType::RIDGE : pcl::crest::CrestType::VALLEY;
   };
@@ -137,6 +163,12 @@ trueCrestLines (const AnalyticSurface& surface, int cells)
         constexpr double UMBILIC = 1e-3;
         if (std::abs (p.k1) - std::abs (p.k2) < UMBILIC * std::abs (p.k1))
           return;
+        // Nor does a crest run where symmetry makes it zero all over, as around a
+        // torus.
+        constexpr double CONSTANT = 1e-8;
+        if (std::max (std::abs (p.extremality), std::abs (q.extremality)) <
+            CONSTANT * p.k1 * p.k1)
+          return;
         const double turn = p.t1.dot (q.t1);
         const bool crosses = p.extremality * q.extremality * turn < 0.0;
         if (std::abs (turn) < 0.9 || !crosses || typeOf (p) != typeOf (q) ||
@@ -149,15 +181,11 @@ trueCrestLines (const AnalyticSurface& surface, int cells)
 
   std::vector<TruthSegment> segments;
   std::vector<SurfacePoint> column;
-  std::vector<SurfacePoint> next;
-  for (int j = 0; j <= cells + 1; ++j)
-    next.push_back (at (0, j));
-  for (int i = 0; i <= cells; ++i) {
+  std::vector<SurfacePoint> next = columnAt (0);
+  for (int i = 0; i < columns; ++i) {
     column.swap (next);
-    next.clear();
-    for (int j = 0; j <= cells + 1; ++j)
-      next.push_back (at (i + 1, j));
-    for (int j = 0; j <= cells; ++j) {
+    next = columnAt (i + 1);
+    for (int j = 0; j < rows; ++j) {
       std::vector<Crossing> found;
       crossings (column[j], column[j + 1], found);
       crossings (next[j], next[j + 1], found);
