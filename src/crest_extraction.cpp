@@ -5,6 +5,7 @@
 #include <pcl_crest/crest_loops.h>
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
+#include <pcl_crest/sharp_profiles.h>
 
 #include <algorithm>
 #include <iterator>
@@ -63,13 +64,21 @@ significantLinesOf (const OrientedPoints& points,
   constexpr float LONGEST_BRANCH = 1.5F;
   constexpr float LONGEST_CUT_LOOP = 6.0F;
 
+  // Sharp lines are complete as they are.
+  std::vector<CrestType> smooth_points = evidence.crest_points;
+  for (const SharpNode& node : shape.sharp_lines.nodes)
+    smooth_points[node.point] = CrestType::NONE;
   std::vector<Membership> members =
-      growRegions (shape.graph, shape.curvature, evidence.crest_points, type);
+      growRegions (shape.graph, shape.curvature, smooth_points, type);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (shape.sharp_lines.blocked[i] != 0)
+      members[i] = Membership::OUTSIDE;
   withdrawGrowth (shape.graph, shape.profiles, type, members);
   watch.stageDone ("region growing");
   const std::vector<CrestEdge> edges = admissibleEdges (
       points, shape.graph, shape.profiles, crestEdges (points, shape.graph, members));
-  std::vector<CrestEdge> net = minimumSpanningForest (points.size(), edges);
+  std::vector<CrestEdge> net =
+      minimumSpanningForest (points.size(), edges, shape.sharp_lines.edges[type]);
   watch.stageDone ("spanning forest");
   net = closeLoops (points, edges, radii (shape.profiles, LONGEST_CUT_LOOP), net);
   watch.stageDone ("loops");
@@ -95,7 +104,18 @@ analyzeSurface (const OrientedPoints& points,
   if (parameters.preset == Preset::PAPER)
     shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
   else {
-    shape.profiles = profileCrests (points, shape.graph, parameters.threads);
+    Parameters crease_parameters;
+    crease_parameters.k = CREASE_NEIGHBORS;
+    const NeighborSearch wide_search = kdTreeSearch (points, crease_parameters);
+    shape.sharp_lines = traceCreases (
+        points,
+        shape.graph,
+        wide_search,
+        findCreases (points, shape.graph, wide_search, parameters.threads),
+        parameters.threads);
+    watch.stageDone ("creases");
+    shape.profiles =
+        profileSharpCrests (points, shape.graph, shape.sharp_lines, parameters.threads);
     for (const CrestProfile& profile : shape.profiles)
       shape.curvature.push_back (profile.curvature);
   }
@@ -137,6 +157,8 @@ extractCrests (const OrientedPoints& points,
     const CrestEvidence evidence = gatherEvidence (
         points, shape.graph, shape.profiles, crests.points, parameters.threads);
     where = moveToCrests (points, shape.graph, shape.profiles);
+    for (const SharpNode& node : shape.sharp_lines.nodes)
+      where.positions[node.point] = node.crease.foot;
     watch.stageDone ("crest points");
     for (const CrestType type : CREST_TYPES)
       if (parameters.wanted[type])

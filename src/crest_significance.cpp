@@ -34,7 +34,7 @@ public:
   float
   prominence (index_t point) const
   {
-    if (profiles_[point].coarsest_level)
+    if (profiles_[point].coarsest_level || profiles_[point].sharp)
       return 1.0F;
     const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
     const float k1 = std::abs (profiles_[point].curvature.k1);
