@@ -156,6 +156,8 @@ link (const OrientedPoints& points, const std::vector<CreaseNode>& nodes)
   constexpr double LONGEST = 3.0;
   constexpr double NOT_BESIDE = 0.3;
   constexpr double LEAST_COSINE = 0.8;
+  // Lines that turn more than that have a corner there.
+  constexpr double STRAIGHT_COSINE = 0.7;
 
   struct Link {
     double cost;
@@ -177,6 +179,7 @@ link (const OrientedPoints& points, const std::vector<CreaseNode>& nodes)
       const double across = std::max (from_a.across, from_b.across);
       const double along = std::min (std::abs (from_a.along), std::abs (from_b.along));
       if (length > LONGEST * spacing ||
+          std::abs (nodes[a].direction.dot (nodes[b].direction)) < STRAIGHT_COSINE ||
           (along < LEAST_COSINE * length && across > NOT_BESIDE * spacing))
         continue;
       links.push_back ({length + 2.0 * across,

@@ -21,21 +21,22 @@ using Eigen::Vector3d;
 constexpr double DEGREES = 180.0 / M_PI;
 constexpr std::array<int, 4> WINDOWS{20, 30, 48, CREASE_NEIGHBORS};
 
-/** What two planes have to leave of the smooth surface's residual at most. */
+/** What two planes have to leave of the smooth surface's residual, without the noise,
+ * at most. */
 constexpr double LARGEST_RATIO = 0.7;
-/** The same for the sum of all neighbours: their number times the logarithm of the
- * ratio. Small windows fit two planes to noise by chance. */
-constexpr double LEAST_EVIDENCE = 10.0;
+/** Least logarithm of the residuals' ratio, noise included, times the number of
+ * neighbours: two planes fit noise, too, by chance. */
+constexpr double LEAST_EVIDENCE = 12.0;
 /** Below, two planes are as good as one; above, they are two sheets. */
 constexpr double LEAST_ANGLE = 7.0;
 constexpr double LARGEST_ANGLE = 155.0;
 /** In spacings: mean distance of the neighbours from the two planes, and of the edge
  * from its sample. */
-constexpr double LARGEST_RESIDUAL = 0.5;
+constexpr double LARGEST_RESIDUAL = 0.35;
 constexpr double FARTHEST_FOOT = 1.0;
 /** In spacings: distances that are zero up to rounding, and to what little curvature
  * the faces of an edge may have. */
-constexpr double ZERO_RESIDUAL = 0.01;
+constexpr double ZERO_RESIDUAL = 0.05;
 
 struct Plane {
   Vector3d center;
@@ -106,6 +107,12 @@ public:
   fit (index_t sample)
   {
     Crease best;
+    smallest_ratio_ = 1.0;
+    noise_ =
+        neighbors_.size() < NOISE_WINDOW
+            ? 0.0
+            : CERTAIN_NOISE *
+                  smoothResidual (NOISE_WINDOW, points_.normals[sample].cast<double>());
     for (const int window : WINDOWS)
       if (static_cast<std::size_t> (window) <= neighbors_.size())
         fitWindow (sample, static_cast<std::size_t> (window), best);
@@ -118,6 +125,12 @@ private:
     Vector3d normal;
     index_t point;
   };
+
+  /** The window that tells the noise, as a cubic follows most of what else there is,
+   * and the part of its residual that is noise for certain, with 20 degrees of freedom.
+   */
+  static constexpr std::size_t NOISE_WINDOW = 30;
+  static constexpr double CERTAIN_NOISE = 0.4;
 
   void
   fitWindow (index_t sample, std::size_t count, Crease& best)
@@ -152,10 +165,16 @@ private:
       return;
     const Vector3d normal = (n + m).normalized();
     constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
-    const double ratio = (of_planes + ZERO) / (smoothResidual (count, normal) + ZERO);
-    if (ratio > LARGEST_RATIO || ratio > best.ratio ||
-        static_cast<double> (count) * std::log (ratio) > -LEAST_EVIDENCE)
+    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double of_cubic = smoothResidual (count, normal);
+    const double noisy_ratio = (of_planes + ZERO) / (of_cubic + ZERO);
+    const double evidence = -static_cast<double> (count) * std::log (noisy_ratio);
+    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
+                         (std::max (0.0, of_cubic - noise) + ZERO);
+    if (ratio > LARGEST_RATIO || noisy_ratio > smallest_ratio_ ||
+        evidence < LEAST_EVIDENCE)
       return;
+    smallest_ratio_ = noisy_ratio;
     best.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
     best.foot =
         (points_.positions[sample].cast<double>() + graph_.spacing[sample] * foot)
@@ -303,6 +322,10 @@ private:
   std::vector<Neighbor> neighbors_;
   /** of each neighbour in the window: 1 for the first plane, -1 for the second */
   std::vector<int> side_;
+  /** of the sample: mean squared distance from the surface, and the smallest ratio so
+   * far */
+  double noise_ = 0.0;
+  double smallest_ratio_ = 1.0;
 };
 
 } // namespace

@@ -361,9 +361,19 @@ std::vector<TruthSegment>
 trueCrestLines (const SharpSolid& solid)
 {
   std::vector<TruthSegment> truth;
+  // Lines are scored by the middles of the segments: these have to be short.
+  constexpr double LONGEST = 0.004;
   for (const SharpEdge& edge : solid.edges) {
     const double angle = edge.angle / DEGREES;
-    truth.push_back ({edge.a, edge.b, edge.type, 1.0, 32.0 / (9.0 * angle * angle)});
+    const double sharpness = 32.0 / (9.0 * angle * angle);
+    const Eigen::Vector3d along = edge.b - edge.a;
+    const int pieces = static_cast<int> (std::ceil (along.norm() / LONGEST));
+    for (int i = 0; i < pieces; ++i)
+      truth.push_back ({edge.a + along * i / pieces,
+                        edge.a + along * (i + 1) / pieces,
+                        edge.type,
+                        1.0,
+                        sharpness});
   }
   return truth;
 }

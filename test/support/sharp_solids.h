@@ -63,8 +63,8 @@ sample (const SharpSolid& solid, std::size_t count, unsigned seed = 1);
 pcl::PointCloud<pcl::PointNormal>::Ptr
 sampleOnGrids (const SharpSolid& solid, std::size_t count);
 
-/** \brief The edges as truth to score lines by; an edge is as sharp as a crest across
- * which the surface turns by its angle.
+/** \brief The edges as truth to score lines by, in short pieces; an edge is as sharp as
+ * a crest across which the surface turns by its angle.
  */
 std::vector<TruthSegment>
 trueCrestLines (const SharpSolid& solid);
