@@ -164,6 +164,8 @@ private:
     if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
       return;
     const Vector3d normal = (n + m).normalized();
+    if (seesThirdFace (count, normal))
+      return;
     constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
     const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
     const double of_cubic = smoothResidual (count, normal);
@@ -183,6 +185,23 @@ private:
     best.normal = normal.cast<float>();
     best.angle = static_cast<float> (angle);
     best.ratio = static_cast<float> (ratio);
+  }
+
+  /** \brief Whether some normals are on the other side of those of an edge's faces: of
+   * the far face of a plate, or of a slot.
+   */
+  bool
+  seesThirdFace (std::size_t count, const Vector3d& normal) const
+  {
+    constexpr double STRAY_COSINE = -0.3;
+    constexpr double STRAY_PART = 0.1;
+    const auto strays =
+        std::count_if (neighbors_.begin(),
+                       neighbors_.begin() + static_cast<std::ptrdiff_t> (count),
+                       [&] (const Neighbor& neighbor) {
+                         return neighbor.normal.dot (normal) < STRAY_COSINE;
+                       });
+    return static_cast<double> (strays) > STRAY_PART * static_cast<double> (count);
   }
 
   /** \brief Divides the neighbours across the axis along which normals differ most, and
