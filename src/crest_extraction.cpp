@@ -5,6 +5,7 @@
 #include <pcl_crest/crest_loops.h>
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
+#include <pcl_crest/sharp_links.h>
 #include <pcl_crest/sharp_profiles.h>
 
 #include <algorithm>
@@ -75,10 +76,13 @@ significantLinesOf (const OrientedPoints& points,
       members[i] = Membership::OUTSIDE;
   withdrawGrowth (shape.graph, shape.profiles, type, members);
   watch.stageDone ("region growing");
-  const std::vector<CrestEdge> edges = admissibleEdges (
+  std::vector<CrestEdge> edges = admissibleEdges (
       points, shape.graph, shape.profiles, crestEdges (points, shape.graph, members));
-  std::vector<CrestEdge> net =
-      minimumSpanningForest (points.size(), edges, shape.sharp_lines.edges[type]);
+  const std::vector<CrestEdge>& sharp = shape.sharp_lines.edges[type];
+  const std::vector<CrestEdge> links =
+      linksFromSharpEnds (points, shape.graph, sharp, members);
+  edges.insert (edges.end(), links.begin(), links.end());
+  std::vector<CrestEdge> net = minimumSpanningForest (points.size(), edges, sharp);
   watch.stageDone ("spanning forest");
   net = closeLoops (points, edges, radii (shape.profiles, LONGEST_CUT_LOOP), net);
   watch.stageDone ("loops");
