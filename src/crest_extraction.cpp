@@ -6,6 +6,8 @@
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
 #include <pcl_crest/line_smoothing.h>
+#include <pcl_crest/sharp_links.h>
+#include <pcl_crest/sharp_profiles.h>
 
 #include <algorithm>
 #include <iterator>
@@ -48,6 +50,18 @@ radii (const std::vector<CrestProfile>& profiles, float factor)
   return result;
 }
 
+/** \brief The points of smooth crests: sharp lines are complete as they are. */
+std::vector<CrestType>
+withoutSharp (const SharpLines& lines, std::vector<CrestType> crest_points)
+{
+  for (std::size_t i = 0; i < lines.blocked.size(); ++i)
+    if (lines.blocked[i] != 0)
+      crest_points[i] = CrestType::NONE;
+  for (const SharpNode& node : lines.nodes)
+    crest_points[node.point] = CrestType::NONE;
+  return crest_points;
+}
+
 /** \brief The same stages for points moved to their crests, which keep what profiles
  * and statistics bear out.
  */
@@ -64,25 +78,35 @@ significantLinesOf (const OrientedPoints& points,
   constexpr float LONGEST_BRANCH = 1.5F;
   constexpr float LONGEST_CUT_LOOP = 6.0F;
 
-  const std::vector<Membership> members = growAlongCrests (
+  std::vector<Membership> members = growAlongCrests (
       shape.graph,
       shape.profiles,
-      evidence.crest_points,
-      likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence),
+      withoutSharp (shape.sharp_lines, evidence.crest_points),
+      withoutSharp (
+          shape.sharp_lines,
+          likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence)),
       type);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (shape.sharp_lines.blocked[i] != 0)
+      members[i] = Membership::OUTSIDE;
   watch.stageDone ("region growing");
-  const std::vector<CrestEdge> edges = admissibleEdges (
+  std::vector<CrestEdge> edges = admissibleEdges (
       points, shape.graph, shape.profiles, crestEdges (points, shape.graph, members));
-  std::vector<CrestEdge> net = minimumSpanningForest (points.size(), edges);
+  const std::vector<CrestEdge>& sharp = shape.sharp_lines.edges[type];
+  const std::vector<CrestEdge> links =
+      linksFromSharpEnds (points, shape.graph, sharp, members);
+  edges.insert (edges.end(), links.begin(), links.end());
+  std::vector<CrestEdge> net = minimumSpanningForest (points.size(), edges, sharp);
   watch.stageDone ("spanning forest");
   net = closeLoops (points, edges, radii (shape.profiles, LONGEST_CUT_LOOP), net);
   watch.stageDone ("loops");
   // What is too short for a line is too short for a branch.
   std::vector<float> branch_limits = radii (shape.profiles, LONGEST_BRANCH);
   for (std::size_t i = 0; i < branch_limits.size(); ++i)
-    branch_limits[i] =
-        std::max (branch_limits[i],
-                  static_cast<float> (parameters.min_length) * shape.graph.spacing[i]);
+    if (!shape.profiles[i].sharp)
+      branch_limits[i] = std::max (branch_limits[i],
+                                   static_cast<float> (parameters.min_length) *
+                                       shape.graph.spacing[i]);
   net = pruneShortBranches (points, net, branch_limits);
   watch.stageDone ("pruning");
   net = significantBranches (points, evidence, net, branch_limits, parameters.angle);
@@ -104,7 +128,18 @@ analyzeSurface (const OrientedPoints& points,
   if (parameters.preset == Preset::PAPER)
     shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
   else {
-    shape.profiles = profileCrests (points, shape.graph, parameters.threads);
+    Parameters crease_parameters;
+    crease_parameters.k = CREASE_NEIGHBORS;
+    const NeighborSearch wide_search = kdTreeSearch (points, crease_parameters);
+    shape.sharp_lines = traceCreases (
+        points,
+        shape.graph,
+        wide_search,
+        findCreases (points, shape.graph, wide_search, parameters.threads),
+        parameters.threads);
+    watch.stageDone ("creases");
+    shape.profiles =
+        profileSharpCrests (points, shape.graph, shape.sharp_lines, parameters.threads);
     for (const CrestProfile& profile : shape.profiles)
       shape.curvature.push_back (profile.curvature);
   }
@@ -146,6 +181,8 @@ extractCrests (const OrientedPoints& points,
     const CrestEvidence evidence = gatherEvidence (
         points, shape.graph, shape.profiles, crests.points, parameters.threads);
     where = moveToCrests (points, shape.graph, shape.profiles);
+    for (const SharpNode& node : shape.sharp_lines.nodes)
+      where.positions[node.point] = node.crease.foot;
     watch.stageDone ("crest points");
     for (const CrestType type : CREST_TYPES)
       if (parameters.wanted[type])

@@ -161,7 +161,9 @@ admissibleEdges (const OrientedPoints& points,
 }
 
 std::vector<CrestEdge>
-minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges)
+minimumSpanningForest (std::size_t size,
+                       std::vector<CrestEdge> edges,
+                       const std::vector<CrestEdge>& given)
 {
   const auto b_begin =
       std::partition (edges.begin(), edges.end(), [] (const CrestEdge& e) {
@@ -175,7 +177,9 @@ minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges)
   };
 
   DisjointSets trees (size);
-  std::vector<CrestEdge> forest;
+  std::vector<CrestEdge> forest = given;
+  for (const CrestEdge& edge : given)
+    trees.unite (edge.a, edge.b);
   const auto takeBucket = [&] (auto first, auto last) {
     // Most edges of the later buckets close a cycle already: drop them before sorting.
     last = std::remove_if (first, last, [&] (const CrestEdge& e) {

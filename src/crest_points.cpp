@@ -86,6 +86,8 @@ classify (const CrestProfile& profile, double spacing, bool resolved, double con
   constexpr double LARGEST_SHARPNESS = 115.0;
 
   const PrincipalCurvature& k = profile.curvature;
+  if (profile.sharp)
+    return k.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
   const bool peak = resolved && profile.peak_z > confidence &&
                     std::abs (profile.foot) < LARGEST_FOOT * spacing;
   const bool distinct =

@@ -41,6 +41,8 @@ public:
   float
   prominence (index_t point) const
   {
+    if (profiles_[point].sharp)
+      return 1.0F;
     const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
     const float k1 = std::abs (profiles_[point].curvature.k1);
     // A fit over so much of a turn has an error of its own, which falls off where the
@@ -143,6 +145,9 @@ struct Relief {
   : turn (turningAngle (profile.sharpness) * std::pow (prominence, 1.5))
   , height (LARGEST_RELIEF)
   {
+    // A sharp edge has stood out against a smooth surface already.
+    if (profile.sharp)
+      return;
     const double steepness = std::abs (profile.curvature.k1) * profile.sharpness;
     if (steepness > 0.0)
       height = std::min (height, prominence * prominence / (steepness * spacing));

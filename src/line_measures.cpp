@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pcl {
 namespace crest {
@@ -21,24 +22,16 @@ nearBoundary (const SurfaceGraph& graph, index_t point)
          });
 }
 
-/** \brief In how many places a line's polylines begin or end at a point. */
-std::size_t
-countEnds (const CrestLine& line, index_t point)
+/** \brief How often polylines come to a point, for each that any comes to. */
+std::map<index_t, int>
+countVisits (const std::vector<CrestLine>& lines)
 {
-  std::size_t count = 0;
-  for (const std::vector<index_t>& polyline : line.polylines)
-    count += (polyline.front() == point ? 1 : 0) + (polyline.back() == point ? 1 : 0);
+  std::map<index_t, int> count;
+  for (const CrestLine& line : lines)
+    for (const std::vector<index_t>& polyline : line.polylines)
+      for (const index_t p : polyline)
+        ++count[p];
   return count;
-}
-
-LineEnd
-endAt (const SurfaceGraph& graph, const CrestLine& line, index_t point)
-{
-  if (line.closed)
-    return LineEnd::CLOSED;
-  if (countEnds (line, point) > 1)
-    return LineEnd::JUNCTION;
-  return nearBoundary (graph, point) ? LineEnd::BOUNDARY : LineEnd::FREE;
 }
 
 } // namespace
@@ -49,6 +42,15 @@ measureLines (const OrientedPoints& points,
               const std::vector<PrincipalCurvature>& curvature,
               std::vector<CrestLine>& lines)
 {
+  // A line may end in a corner of lines of the other type.
+  const std::map<index_t, int> visits = countVisits (lines);
+  const auto endAt = [&] (const CrestLine& line, index_t point) {
+    if (line.closed)
+      return LineEnd::CLOSED;
+    if (visits.at (point) > 1)
+      return LineEnd::JUNCTION;
+    return nearBoundary (graph, point) ? LineEnd::BOUNDARY : LineEnd::FREE;
+  };
   for (CrestLine& line : lines) {
     line.length = 0.0;
     line.strength = 0.0;
@@ -62,8 +64,8 @@ measureLines (const OrientedPoints& points,
         line.strength +=
             0.5 * length * (std::abs (curvature[p].k1) + std::abs (curvature[q].k1));
       }
-      line.ends.push_back ({endAt (graph, line, polyline.front()),
-                            endAt (graph, line, polyline.back())});
+      line.ends.push_back (
+          {endAt (line, polyline.front()), endAt (line, polyline.back())});
     }
     line.mean_curvature = line.length > 0.0 ? line.strength / line.length : 0.0;
   }

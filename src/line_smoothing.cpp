@@ -113,6 +113,8 @@ smoothLines (const std::vector<CrestLine>& lines,
       for (int round = 0; round < ROUNDS; ++round)
         places = smoothed (places, radii, closed);
       for (std::size_t i = 0; i < polyline.size(); ++i) {
+        if (profiles[polyline[i]].sharp)
+          continue;
         const double farthest = FARTHEST_MOVE * graph.spacing[polyline[i]];
         const Eigen::Vector3d move = places[i] - before[i];
         const double length = move.norm();

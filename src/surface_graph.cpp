@@ -280,5 +280,24 @@ buildSurfaceGraph (const OrientedPoints& points,
   return symmetrize (filterNeighbors (points, search, parameters));
 }
 
+SurfaceGraph
+withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& removed)
+{
+  SurfaceGraph rest;
+  rest.boundary = graph.boundary;
+  rest.spacing = graph.spacing;
+  rest.mean_spacing = graph.mean_spacing;
+  rest.offsets.assign (1, 0);
+  rest.offsets.reserve (graph.offsets.size());
+  for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
+    if (removed[p] == 0)
+      for (const index_t q : graph.star (p))
+        if (removed[q] == 0)
+          rest.neighbors.push_back (q);
+    rest.offsets.push_back (rest.neighbors.size());
+  }
+  return rest;
+}
+
 } // namespace crest
 } // namespace pcl

@@ -2,6 +2,7 @@
 // Paper, section 4: the overview, that is the stages in their order.
 #pragma once
 
+#include <pcl_crest/crease_lines.h>
 #include <pcl_crest/crest_lines.h>
 #include <pcl_crest/stopwatch.h>
 
@@ -16,6 +17,8 @@ struct SurfaceShape {
   std::vector<PrincipalCurvature> curvature;
   /** with the preset AUTO what the curvature was taken from, else empty */
   std::vector<CrestProfile> profiles;
+  /** with the preset AUTO the sharp edges */
+  SharpLines sharp_lines;
   std::vector<StageTime> times;
 };
 

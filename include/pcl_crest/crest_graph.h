@@ -72,10 +72,14 @@ admissibleEdges (const OrientedPoints& points,
  *
  * \param[in] size the number of points that the edges may name
  * \param[in] edges of the graphs, in any order
- * \return the edges of the forest in the order in which Kruskal takes them
+ * \param[in] given edges that are there already, loops included
+ * \return the given edges and those of the forest in the order in which Kruskal takes
+ * them
  */
 std::vector<CrestEdge>
-minimumSpanningForest (std::size_t size, std::vector<CrestEdge> edges);
+minimumSpanningForest (std::size_t size,
+                       std::vector<CrestEdge> edges,
+                       const std::vector<CrestEdge>& given = {});
 
 } // namespace crest
 } // namespace pcl

@@ -12,7 +12,7 @@ namespace crest {
 /** \brief Where a polyline of a line ends. */
 enum class LineEnd : std::uint8_t {
   FREE,
-  /** where it meets other polylines of its line */
+  /** where it meets other polylines, of its line or, at corners, of the other type */
   JUNCTION,
   /** where the surface ends */
   BOUNDARY,

@@ -44,6 +44,8 @@ struct CrestProfile {
   bool resolved = false;
   /** whether the scale is one of the coarsest level, where nothing is beside a crest */
   bool coarsest_level = false;
+  /** whether it is that of a sharp edge (sharp_profiles.h) */
+  bool sharp = false;
 };
 
 /** \brief Fits the profile of every sample, going from scale to scale, each larger than

@@ -13,7 +13,8 @@ namespace crest {
  * Each point stands where its own profile has its maximum, give or take the error of
  * that; within the radius that a curvature was fitted over a crest cannot turn any
  * faster than a quadratic. Ends of polylines that are shared stay where they are, so
- * that lines still meet; no point moves by more than two spacings.
+ * that lines still meet, and so do the points of sharp edges, which may bend at once;
+ * no point moves by more than two spacings.
  *
  * \param[in] lines whose polylines run through the points
  * \param[in] profiles for the radii

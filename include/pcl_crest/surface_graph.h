@@ -77,5 +77,11 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
                    const Parameters& parameters);
 
+/** \brief The graph without the edges of some points, which stay as points alone.
+ * \param[in] removed 1 for these, 0 for the others
+ */
+SurfaceGraph
+withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& removed);
+
 } // namespace crest
 } // namespace pcl

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sharp edges, sample by sample, for the auto preset.
+#pragma once
+
+#include <pcl_crest/surface_graph.h>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The sharp edge next to a sample, in the cloud's unit. */
+struct Crease {
+  /** a ridge is convex, a valley concave; NONE where there is no edge */
+  CrestType type = CrestType::NONE;
+  /** point of the edge that is nearest to the sample */
+  Eigen::Vector3f foot = Eigen::Vector3f::Zero();
+  /** unit vectors: along the edge, either way; in the middle of the normals of the two
+   * faces */
+  Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  /** between the normals of the two faces, in degrees */
+  float angle = 0.0F;
+  /** mean squared distance of the samples around from the two faces, as a part of that
+   * from the best smooth surface: the smaller, the more certain */
+  float ratio = 1.0F;
+};
+
+/** Least neighbours that the search for creases has to find; more are of no use. */
+constexpr int CREASE_NEIGHBORS = 96;
+
+/** \brief Tests every sample for a sharp edge within one spacing: two planes have to
+ * fit what is around it much better than any smooth surface does.
+ *
+ * In windows of 20, 30, 48 and 96 neighbours, whatever their normals, two planes are
+ * fitted by total least squares (Pearson 1901), alternating with the choice of the
+ * plane that each neighbour belongs to, which starts from the normals. The solid is
+ * behind both planes at a convex edge, and behind either at a concave one. A cubic
+ * height function in the same window is what they have to beat: it follows all that is
+ * smooth at this scale, so that smooth crests, however narrow, stay with the later
+ * stages. Of the windows the one with the smallest ratio of the residuals counts.
+ *
+ * \param[in] points, graph the samples; spacings are taken from the graph
+ * \param[in] search finds CREASE_NEIGHBORS neighbours
+ * \param[in] threads 0 for all processors
+ * \return for each sample its crease
+ */
+std::vector<Crease>
+findCreases (const OrientedPoints& points,
+             const SurfaceGraph& graph,
+             const NeighborSearch& search,
+             unsigned threads);
+
+} // namespace crest
+} // namespace pcl

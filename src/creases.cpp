@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/creases.h>
+
+#include <Eigen/Dense>
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double DEGREES = 180.0 / M_PI;
+constexpr std::array<int, 4> WINDOWS{20, 30, 48, CREASE_NEIGHBORS};
+
+/** What two planes have to leave of the smooth surface's residual, without the noise,
+ * at most. */
+constexpr double LARGEST_RATIO = 0.7;
+/** Least logarithm of the residuals' ratio, noise included, times the number of
+ * neighbours: two planes fit noise, too, by chance. */
+constexpr double LEAST_EVIDENCE = 10.0;
+/** Below, two planes are as good as one; above, they are two sheets. */
+constexpr double LEAST_ANGLE = 7.0;
+constexpr double LARGEST_ANGLE = 155.0;
+/** In spacings: mean distance of the neighbours from the two planes, and of the edge
+ * from its sample. */
+constexpr double LARGEST_RESIDUAL = 0.35;
+constexpr double FARTHEST_FOOT = 1.0;
+/** In spacings: distances that are zero up to rounding, and to what little curvature
+ * the faces of an edge may have. */
+constexpr double ZERO_RESIDUAL = 0.05;
+
+struct Plane {
+  Vector3d center;
+  Vector3d normal;
+
+  double
+  height (const Vector3d& p) const
+  {
+    return (p - center).dot (normal);
+  }
+};
+
+/** \brief Fits edges around one sample after the other. Lengths are in spacings, from
+ * the sample.
+ */
+class CreaseFitter {
+public:
+  CreaseFitter (const OrientedPoints& points, const SurfaceGraph& graph)
+  : points_ (points), graph_ (graph)
+  {}
+
+  /** \brief Whether normals around a sample differ at all, or may do so across a gap in
+   * the graph.
+   */
+  bool
+  isWorthATry (index_t sample) const
+  {
+    // cos (2.6 degrees)
+    constexpr float SAME_NORMAL = 0.999F;
+    const Eigen::Vector3f& n = points_.normals[sample];
+    for (const index_t q : graph_.star (sample)) {
+      if (graph_.boundary[q] != 0 || n.dot (points_.normals[q]) < SAME_NORMAL)
+        return true;
+      for (const index_t r : graph_.star (q))
+        if (n.dot (points_.normals[r]) < SAME_NORMAL)
+          return true;
+    }
+    return graph_.boundary[sample] != 0;
+  }
+
+  /** \brief Takes what a search has found, nearest first. */
+  void
+  setNeighbors (index_t sample, const std::vector<index_t>& found)
+  {
+    // Normals that are opposite belong to the other side of a plate.
+    constexpr float OTHER_SIDE = -0.9F;
+    const double scale = 1.0 / graph_.spacing[sample];
+    const Eigen::Vector3f& n = points_.normals[sample];
+    neighbors_.clear();
+    for (const index_t q : found)
+      if (n.dot (points_.normals[q]) > OTHER_SIDE)
+        neighbors_.push_back (
+            {scale * points_.edge (sample, q), points_.normals[q].cast<double>(), q});
+    std::sort (neighbors_.begin(),
+               neighbors_.end(),
+               [] (const Neighbor& a, const Neighbor& b) {
+                 return std::make_tuple (a.position.squaredNorm(), a.point) <
+                        std::make_tuple (b.position.squaredNorm(), b.point);
+               });
+    const auto same = [] (const Neighbor& a, const Neighbor& b) {
+      return a.point == b.point;
+    };
+    neighbors_.erase (std::unique (neighbors_.begin(), neighbors_.end(), same),
+                      neighbors_.end());
+  }
+
+  Crease
+  fit (index_t sample)
+  {
+    Crease best;
+    smallest_ratio_ = 1.0;
+    noise_ =
+        neighbors_.size() < NOISE_WINDOW
+            ? 0.0
+            : CERTAIN_NOISE *
+                  smoothResidual (NOISE_WINDOW, points_.normals[sample].cast<double>());
+    for (const int window : WINDOWS)
+      if (static_cast<std::size_t> (window) <= neighbors_.size())
+        fitWindow (sample, static_cast<std::size_t> (window), best);
+    return best;
+  }
+
+private:
+  struct Neighbor {
+    Vector3d position;
+    Vector3d normal;
+    index_t point;
+  };
+
+  /** The window that tells the noise, as a cubic follows most of what else there is,
+   * and the part of its residual that is noise for certain, with 20 degrees of freedom.
+   */
+  static constexpr std::size_t NOISE_WINDOW = 30;
+  static constexpr double CERTAIN_NOISE = 0.4;
+
+  void
+  fitWindow (index_t sample, std::size_t count, Crease& best)
+  {
+    std::array<Plane, 2> planes;
+    bool convex = true;
+    if (!splitByNormals (count, planes) || !fitPlanes (count, planes, convex))
+      return;
+    const Vector3d& n = planes[0].normal;
+    const Vector3d& m = planes[1].normal;
+    const double angle =
+        std::acos (std::max (-1.0, std::min (1.0, n.dot (m)))) * DEGREES;
+    if (angle < LEAST_ANGLE || angle > LARGEST_ANGLE)
+      return;
+    // Where both planes' equations hold, nearest to the sample.
+    const Vector3d line = n.cross (m);
+    const Vector3d crossing = (n.dot (planes[0].center) * m.cross (line) +
+                               m.dot (planes[1].center) * line.cross (n)) /
+                              line.squaredNorm();
+    const Vector3d direction = line.normalized();
+    const Vector3d foot = crossing - crossing.dot (direction) * direction;
+    if (foot.norm() > FARTHEST_FOOT)
+      return;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3d& p = neighbors_[i].position;
+      sum += std::pow (planes[side_[i] > 0 ? 0 : 1].height (p), 2);
+    }
+    // Six parameters of the planes and the choice between them.
+    const double of_planes = sum / static_cast<double> (count - 7);
+    if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
+      return;
+    const Vector3d normal = (n + m).normalized();
+    if (seesThirdFace (count, normal))
+      return;
+    constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
+    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double of_cubic = smoothResidual (count, normal);
+    const double noisy_ratio = (of_planes + ZERO) / (of_cubic + ZERO);
+    const double evidence = -static_cast<double> (count) * std::log (noisy_ratio);
+    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
+                         (std::max (0.0, of_cubic - noise) + ZERO);
+    if (ratio > LARGEST_RATIO || noisy_ratio > smallest_ratio_ ||
+        evidence < LEAST_EVIDENCE)
+      return;
+    smallest_ratio_ = noisy_ratio;
+    best.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
+    best.foot =
+        (points_.positions[sample].cast<double>() + graph_.spacing[sample] * foot)
+            .cast<float>();
+    best.direction = direction.cast<float>();
+    best.normal = normal.cast<float>();
+    best.angle = static_cast<float> (angle);
+    best.ratio = static_cast<float> (ratio);
+  }
+
+  /** \brief Whether some normals are on the other side of those of an edge's faces: of
+   * the far face of a plate, or of a slot.
+   */
+  bool
+  seesThirdFace (std::size_t count, const Vector3d& normal) const
+  {
+    constexpr double STRAY_COSINE = -0.3;
+    constexpr double STRAY_PART = 0.1;
+    const auto strays =
+        std::count_if (neighbors_.begin(),
+                       neighbors_.begin() + static_cast<std::ptrdiff_t> (count),
+                       [&] (const Neighbor& neighbor) {
+                         return neighbor.normal.dot (normal) < STRAY_COSINE;
+                       });
+    return static_cast<double> (strays) > STRAY_PART * static_cast<double> (count);
+  }
+
+  /** \brief Divides the neighbours across the axis along which normals differ most, and
+   * sets each plane's normal to the mean of its part. Returns false if they hardly
+   * differ.
+   */
+  bool
+  splitByNormals (std::size_t count, std::array<Plane, 2>& planes)
+  {
+    // Variance: that of normals two degrees to each side.
+    constexpr double LEAST_VARIANCE = 1e-3;
+    Vector3d mean = Vector3d::Zero();
+    for (std::size_t i = 0; i < count; ++i)
+      mean += neighbors_[i].normal;
+    mean /= static_cast<double> (count);
+    Matrix3d covariance = Matrix3d::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3d e = neighbors_[i].normal - mean;
+      covariance += e * e.transpose();
+    }
+    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+    solver.computeDirect (covariance);
+    if (solver.eigenvalues()[2] < LEAST_VARIANCE * static_cast<double> (count))
+      return false;
+    const Vector3d axis = solver.eigenvectors().col (2);
+    side_.resize (count);
+    planes[0].normal = planes[1].normal = Vector3d::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+      side_[i] = (neighbors_[i].normal - mean).dot (axis) > 0.0 ? 1 : -1;
+      planes[side_[i] > 0 ? 0 : 1].normal += neighbors_[i].normal;
+    }
+    return true;
+  }
+
+  /** \brief Fits the two planes to their parts and the parts to the planes, in turn.
+   * Returns false if a part is too small, or no plane.
+   */
+  bool
+  fitPlanes (std::size_t count, std::array<Plane, 2>& planes, bool& convex)
+  {
+    constexpr int ROUNDS = 8;
+    constexpr double LEAST_PART = 0.18;
+    constexpr std::size_t LEAST_COUNT = 5;
+    for (int round = 0; round < ROUNDS; ++round) {
+      if (!fitPlane (count, 1, planes[0]) || !fitPlane (count, -1, planes[1]))
+        return false;
+      const Vector3d apart = planes[0].center - planes[1].center;
+      convex = apart.dot (planes[0].normal - planes[1].normal) > 0.0;
+      bool changed = false;
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vector3d& p = neighbors_[i].position;
+        const double above = planes[0].height (p) - planes[1].height (p);
+        // Of the solid's surface is the higher plane if it is convex. On the edge
+        // itself either is right, but flipped normals must not choose the other.
+        const double first = convex ? above : -above;
+        const int side = first > 0.0 ? 1 : first < 0.0 ? -1 : side_[i];
+        changed = changed || side != side_[i];
+        side_[i] = side;
+      }
+      if (!changed)
+        break;
+    }
+    const auto first = static_cast<std::size_t> (std::count (
+        side_.begin(), side_.begin() + static_cast<std::ptrdiff_t> (count), 1));
+    const auto least =
+        std::max (LEAST_COUNT,
+                  static_cast<std::size_t> (LEAST_PART * static_cast<double> (count)));
+    return std::min (first, count - first) >= least;
+  }
+
+  bool
+  fitPlane (std::size_t count, int side, Plane& plane) const
+  {
+    // Part of the variance across of that along: a row of samples is no plane.
+    constexpr double LEAST_WIDTH = 0.04;
+    constexpr int LEAST_COUNT = 4;
+    Vector3d sum = Vector3d::Zero();
+    Matrix3d squares = Matrix3d::Zero();
+    int members = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (side_[i] == side) {
+        const Vector3d& p = neighbors_[i].position;
+        sum += p;
+        squares += p * p.transpose();
+        ++members;
+      }
+    if (members < LEAST_COUNT)
+      return false;
+    plane.center = sum / members;
+    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+    solver.computeDirect (squares - plane.center * sum.transpose());
+    if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
+      return false;
+    const Vector3d n = solver.eigenvectors().col (0);
+    plane.normal = n.dot (plane.normal) < 0.0 ? Vector3d (-n) : n;
+    return true;
+  }
+
+  /** \brief Mean squared distance of the window from a cubic height function, for its
+   * degrees of freedom.
+   */
+  double
+  smoothResidual (std::size_t count, const Vector3d& normal) const
+  {
+    constexpr int TERMS = 10;
+    using Coefficients = Eigen::Matrix<double, TERMS, 1>;
+    using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
+    const Vector3d x = normal.unitOrthogonal();
+    const Vector3d y = normal.cross (x);
+    const double scale = 1.0 / neighbors_[count - 1].position.norm();
+    NormalMatrix matrix = NormalMatrix::Zero();
+    Coefficients right_side = Coefficients::Zero();
+    double squares = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3d& p = neighbors_[i].position;
+      const double u = scale * p.dot (x);
+      const double v = scale * p.dot (y);
+      const double z = p.dot (normal);
+      const double row[TERMS] = {
+          1.0, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
+      for (int a = 0; a < TERMS; ++a) {
+        right_side[a] += row[a] * z;
+        for (int b = 0; b <= a; ++b)
+          matrix (a, b) += row[a] * row[b];
+      }
+      squares += z * z;
+    }
+    matrix.diagonal().array() += 1e-9 * static_cast<double> (count);
+    const Eigen::LLT<NormalMatrix, Eigen::Lower> solver (matrix);
+    const Coefficients c = solver.solve (right_side);
+    return std::max (0.0, squares - c.dot (right_side)) /
+           static_cast<double> (count - TERMS);
+  }
+
+  const OrientedPoints& points_;
+  const SurfaceGraph& graph_;
+  std::vector<Neighbor> neighbors_;
+  /** of each neighbour in the window: 1 for the first plane, -1 for the second */
+  std::vector<int> side_;
+  /** of the sample: mean squared distance from the surface, and the smallest ratio so
+   * far */
+  double noise_ = 0.0;
+  double smallest_ratio_ = 1.0;
+};
+
+} // namespace
+
+std::vector<Crease>
+findCreases (const OrientedPoints& points,
+             const SurfaceGraph& graph,
+             const NeighborSearch& search,
+             unsigned threads)
+{
+  std::vector<Crease> creases (points.size());
+  forEachBlock (
+      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        CreaseFitter fitter (points, graph);
+        std::vector<index_t> found;
+        for (std::size_t i = first; i < last; ++i) {
+          const auto sample = static_cast<index_t> (i);
+          if (!fitter.isWorthATry (sample))
+            continue;
+          search (sample, found);
+          fitter.setNeighbors (sample, found);
+          creases[i] = fitter.fit (sample);
+        }
+      });
+  return creases;
+}
+
+} // namespace crest
+} // namespace pcl
