@@ -14,9 +14,7 @@ using pcl::crest::CrestLine;
 using pcl::crest::CrestType;
 using pcl::crest::LineEnd;
 
-/** \brief Edges as truth of which everything is salient, in pieces short enough that
- * each counts as one point.
- */
+/** \brief Edges as truth of which everything is salient, in pieces shorter than h. */
 std::vector<oracle::TruthSegment>
 asTruth (const std::vector<SharpEdge>& edges, double spacing)
 {
@@ -24,7 +22,7 @@ asTruth (const std::vector<SharpEdge>& edges, double spacing)
   for (const SharpEdge& edge : edges) {
     const Eigen::Vector3d step = edge.b - edge.a;
     const int pieces =
-        std::max (1, static_cast<int> (std::ceil (step.norm() / (0.1 * spacing))));
+        std::max (1, static_cast<int> (std::ceil (step.norm() / spacing)));
     for (int i = 0; i < pieces; ++i)
       truth.push_back ({edge.a + step * i / pieces,
                         edge.a + step * (i + 1) / pieces,

@@ -17,7 +17,7 @@ SCANS = [
     Scan("bunny", "Stanford bunny, closed (`bunny00.off`)", PACKAGE / "bunny00.off", []),
     Scan("dragon", "Stanford dragon (`dragon_vrip_res2.ply`)", PACKAGE / "dragon_vrip_res2.ply", []),
     Scan("fandisk", "fandisk (`fandisk.off`), vertices", PACKAGE / "fandisk.off",
-         ["-cam", "0.1,10/0,0,0/0.94,1.06,1.65/0,1,0/0.5236/460,460/0,0"]),
+         ["-cam", "0.1,10/0,0,0/1.1,1.25,1.95/0,1,0/0.5236/460,460/0,0"]),
 ]
 if OWN_FOLDER:
     SCANS += [

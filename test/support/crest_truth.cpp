@@ -332,14 +332,16 @@ scoreLines (const std::vector<pcl::crest::CrestLine>& lines,
             pcl::crest::CrestType type,
             double tolerance)
 {
+  // Distances are those to points: they have to be closer than what is measured.
+  constexpr int PIECES = 8;
   Trace all;
   Trace salient;
   for (const TruthSegment& s : truth)
     if (s.type == type)
-      all.add (s.a, s.b, 1);
+      all.add (s.a, s.b, PIECES);
   for (const TruthSegment& s : salientLines (truth))
     if (s.type == type)
-      salient.add (s.a, s.b, 1);
+      salient.add (s.a, s.b, PIECES);
   Trace drawn;
   LineScore result;
   for (const pcl::crest::CrestLine& line : lines)
@@ -348,7 +350,7 @@ scoreLines (const std::vector<pcl::crest::CrestLine>& lines,
         for (std::size_t i = 1; i < polyline.size(); ++i)
           drawn.add (line_cloud[polyline[i - 1]].getVector3fMap().cast<double>(),
                      line_cloud[polyline[i]].getVector3fMap().cast<double>(),
-                     8);
+                     PIECES);
   for (const double length : drawn.lengths)
     result.drawn_length += length;
   for (const double length : salient.lengths)
