@@ -156,7 +156,7 @@ TEST (CreaseLines, BothFacesOfAThinPlateAreFramed)
   }
 }
 
-TEST (CreaseLines, AngleAndLengthApplyToThem)
+TEST (CreaseLines, AngleAppliesToThem)
 {
   const Cloud::Ptr cloud =
       oracle::sample (oracle::wedge (60.0, CrestType::RIDGE), 3000);

@@ -26,7 +26,7 @@ normalOf (const Polygon& polygon)
 SolidFace
 flatFace (const Polygon& polygon)
 {
-  const Eigen::Vector3d normal = normalOf (polygon);
+  Eigen::Vector3d normal = normalOf (polygon);
   const Eigen::Vector3d x = (polygon[1] - polygon[0]).normalized();
   const Eigen::Vector3d y = normal.cross (x);
   Eigen::Vector2d low (0.0, 0.0);
@@ -239,7 +239,7 @@ roundBar (double radius, double height)
                           },
                           [=] (double x, double) { return radial (x / radius); }});
   for (const double side : {-1.0, 1.0}) {
-    const Eigen::Vector3d up = side * Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d up = side * Eigen::Vector3d::UnitZ();
     solid.faces.push_back ({2.0 * radius,
                             2.0 * radius,
                             [=] (double x, double y) {
