@@ -148,14 +148,11 @@ likelyCrestPoints (const SurfaceGraph& graph,
                    const std::vector<CrestProfile>& profiles,
                    double confidence)
 {
-  constexpr float LIKELY_Z = 2.5F;
   std::vector<CrestType> types;
   types.reserve (profiles.size());
   for (std::size_t i = 0; i < profiles.size(); ++i)
-    types.push_back (classify (profiles[i],
-                               graph.spacing[i],
-                               profiles[i].certainty > LIKELY_Z,
-                               0.5 * confidence));
+    types.push_back (classify (
+        profiles[i], graph.spacing[i], profiles[i].certainty > 0.0F, 0.5 * confidence));
   return types;
 }
 

@@ -36,9 +36,11 @@ constexpr double RESOLVING_Z = 4.0;
 constexpr double CURVATURE_Z = 6.0;
 /** And so far at least where a profile is only likely. */
 constexpr double LIKELY_CURVATURE_Z = 3.0;
+/** Less certain than this no coarser scale takes the place of the finest. */
+constexpr double LIKELY_Z = 2.5;
 /** Least change of k1 over the window, relative to it: below, the cubic's own error is
  * larger than any noise. */
-constexpr double LEAST_CHANGE = 0.01;
+constexpr double LEAST_CHANGE = 0.02;
 /** Standard error of the foot, in spacings, above which a coarser scale places it
  * better; of interest only for samples that the foot is near to. */
 constexpr double LARGEST_FOOT_ERROR = 0.75;
@@ -61,6 +63,8 @@ struct ScaleProfiles {
 void
 describe (const ScaleFit& fit, double height, CrestProfile& profile)
 {
+  if (!profile.curvature.valid)
+    profile.noise = static_cast<float> (fit.noise);
   profile.curvature = {static_cast<float> (fit.k1),
                        static_cast<float> (fit.k2),
                        fit.t1.cast<float>(),
@@ -83,17 +87,16 @@ readProfile (const OrientedPoints& points,
   const index_t node = from.level.node_of[sample];
   const ProfilePolynomial& polynomial = from.polynomials[node];
   const ScaleFit& own = from.fits[node];
-  if (!polynomial.valid) {
+  const Eigen::Vector3d p = points.positions[sample].cast<double>();
+  const double u = (p - from.level.positions[node].cast<double>()).dot (own.t1);
+  if (!polynomial.valid || !polynomial.covers (u / polynomial.window)) {
     // Where data end there is no profile, but the surface has its curvature.
     if (own.valid && !profile.curvature.valid)
       describe (own, 0.0, profile);
     return true;
   }
-  const BlendedProfile blend = blendProfiles (points.positions[sample].cast<double>(),
-                                              node,
-                                              from.level,
-                                              from.fits,
-                                              from.polynomials);
+  const BlendedProfile blend =
+      blendProfiles (p, node, from.level, from.fits, from.polynomials);
   const ProfileParabola& c = blend.profile;
   const double window = polynomial.window;
   const double k1 = std::abs (own.k1);
@@ -109,8 +112,8 @@ readProfile (const OrientedPoints& points,
   const double sharpness_error =
       2.0 * from.errors.bend * error * to_second_derivative / (k1 * k1 * k1);
 
-  bool resolved = z > RESOLVING_Z && k1 > CURVATURE_Z * error &&
-                  std::hypot (c.slope, c.bend) > LEAST_CHANGE * k1;
+  const bool changes = std::hypot (c.slope, c.bend) > LEAST_CHANGE * k1;
+  bool resolved = z > RESOLVING_Z && k1 > CURVATURE_Z * error && changes;
   if (resolved && std::abs (foot) < NEAR_FOOT * spacing) {
     const double foot_error = window * from.errors.slope * error / (2.0 * -c.bend);
     resolved = foot_error <= LARGEST_FOOT_ERROR * spacing;
@@ -119,13 +122,10 @@ readProfile (const OrientedPoints& points,
   const bool constant = k1 > CURVATURE_Z * error &&
                         std::abs (sharpness) + sharpness_error < LEAST_SHARPNESS &&
                         std::abs (c.slope) < 0.5 * LEAST_SHARPNESS * k1 * k1 * window;
-  const bool last = resolved || flat || constant;
-
-  const double certainty = c.bend < 0.0 && k1 > LIKELY_CURVATURE_Z * error ? z : 0.0;
-  const bool first = profile.scale == CrestProfile::NO_SCALE;
-  if (first)
-    profile.noise = static_cast<float> (own.noise);
-  if (first || last || certainty > profile.certainty) {
+  const double certainty =
+      c.bend < 0.0 && k1 > LIKELY_CURVATURE_Z * error && changes && z > LIKELY_Z ? z
+                                                                                 : 0.0;
+  if (!profile.curvature.valid || resolved || certainty > profile.certainty) {
     describe (own, blend.height, profile);
     profile.curvature.t1 = blend.t1.cast<float>();
     profile.foot = static_cast<float> (foot);
@@ -137,7 +137,7 @@ readProfile (const OrientedPoints& points,
     profile.resolved = resolved;
     profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;
   }
-  return !last;
+  return !resolved && !flat && !constant;
 }
 
 /** \brief The nodes of active samples with some rings of nodes around them. */

@@ -54,7 +54,8 @@ blendProfiles (const Eigen::Vector3d& sample,
   add (node, LEAST_WEIGHT);
   for (const index_t q : level.graph.star (node))
     add (q, 0.0);
-  return {sum.t1.normalized(),
+  const Eigen::Vector3d along = sum.t1 - sum.t1.dot (own.normal) * own.normal;
+  return {along.normalized(),
           sum.height / weights,
           {sum.profile.slope / weights, sum.profile.bend / weights}};
 }

@@ -17,11 +17,10 @@ namespace {
 /** Half the window's width, in spacings of the nodes. */
 constexpr double WINDOW = 2.5;
 
-/** Fewer nodes than this tell nothing about a profile, nor fewer beside the middle on
- * either side of it: there data ends. */
+/** Fewer nodes than this tell nothing about a profile. */
 constexpr int LEAST_NODES = 8;
-constexpr int LEAST_BESIDE = 2;
-constexpr double BESIDE = 0.1;
+/** Nearer than this nodes are not beside a place, in units of the window. */
+constexpr double BESIDE = 0.3;
 
 /** \brief The polynomial of one node. */
 ProfilePolynomial
@@ -50,8 +49,11 @@ fitPolynomial (const PyramidLevel& level,
   double weight = 0.0;
   double variance = 0.0;
   int count = 0;
-  int ahead = 0;
-  int behind = 0;
+  double lowest_u = 1.0;
+  double highest_u = -1.0;
+  ProfilePolynomial result;
+  result.first_u = 1.0;
+  result.last_u = -1.0;
 
   const auto any = [] (index_t) { return true; };
   walk.start (node);
@@ -77,11 +79,12 @@ fitPolynomial (const PyramidLevel& level,
     weight += w;
     variance += w * fit.k1_error * fit.k1_error;
     ++count;
-    ahead += u > BESIDE ? 1 : 0;
-    behind += u < -BESIDE ? 1 : 0;
+    result.first_u = std::min (result.first_u, std::max (u, lowest_u));
+    lowest_u = std::min (lowest_u, u);
+    result.last_u = std::max (result.last_u, std::min (u, highest_u));
+    highest_u = std::max (highest_u, u);
   }
-  ProfilePolynomial result;
-  if (ahead < LEAST_BESIDE || behind < LEAST_BESIDE || count < LEAST_NODES)
+  if (!result.covers (0.0) || count < LEAST_NODES)
     return result;
   matrix.diagonal().array() += 1e-5 * weight;
   const Eigen::LLT<Eigen::Matrix<double, TERMS, TERMS>, Eigen::Lower> solver (matrix);
@@ -99,6 +102,12 @@ ProfilePolynomial::at (double u, double v) const
 {
   const auto& c = coefficients;
   return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v, c[2]};
+}
+
+bool
+ProfilePolynomial::covers (double u) const
+{
+  return first_u < u - BESIDE && last_u > u + BESIDE;
 }
 
 std::vector<ProfilePolynomial>

@@ -28,10 +28,19 @@ struct ProfilePolynomial {
   double window = 0.0;
   /** standard error of k1 in it */
   double k1_error = 0.0;
+  /** the second lowest and the second highest u of its nodes */
+  double first_u = 0.0;
+  double last_u = 0.0;
   bool valid = false;
 
   ProfileParabola
   at (double u, double v) const;
+
+  /** \brief Whether there are at least two nodes on both sides of a place: else data
+   * end there, and what the polynomial says of it is made up.
+   */
+  bool
+  covers (double u) const;
 };
 
 /** \brief Fits the profile polynomial of each node that is needed, in a window of two

@@ -25,7 +25,7 @@ struct CrestProfile {
    * infinite where it has none */
   float foot = std::numeric_limits<float>::infinity();
   /** how many standard errors the profile is from a constant one, with two degrees of
-   * freedom; 0 where it has no maximum or k1 is not certain */
+   * freedom; 0 where that is not even likely, or it has no maximum */
   float certainty = 0.0F;
   /** how many standard errors -k1'' is above zero, for the sign of k1 */
   float peak_z = 0.0F;
