@@ -51,8 +51,9 @@ public:
     if (k1 * profiles_[point].radius > WIDE_TURN && endsBeside (point, t1) &&
         endsBeside (point, -t1))
       return 0.0F;
+    // So has the widest of fits that is cut on one side.
     if (profiles_[point].coarsest_level)
-      return 1.0F;
+      return endsBeside (point, t1) || endsBeside (point, -t1) ? 0.0F : 1.0F;
     return 1.0F - std::max (least (point, t1), least (point, -t1)) / k1;
   }
 
