@@ -302,4 +302,5 @@ Defaults throughout; ridges blue, valleys red.
 {scans}""")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -82,9 +82,6 @@ classify (const CrestProfile& profile, double spacing, bool resolved, double con
   // arcs whose sharpness is lower than that, but then k1 falls by a lot.
   constexpr double LEAST_SHARPNESS = 0.3;
   constexpr double LEAST_FALL = 0.25;
-  // The coarsest windows hold all of a crest; what falls off by less in them is what
-  // the cubic misses of a round surface.
-  constexpr double LEAST_COARSEST_FALL = 0.35;
   // Turns by less than 10 degrees (turningAngle).
   constexpr double LARGEST_SHARPNESS = 115.0;
 
@@ -96,8 +93,7 @@ classify (const CrestProfile& profile, double spacing, bool resolved, double con
   const bool distinct =
       profile.sharpness < LARGEST_SHARPNESS &&
       (profile.sharpness > LEAST_SHARPNESS || profile.fall > LEAST_FALL);
-  const bool whole = !profile.coarsest_level || profile.fall > LEAST_COARSEST_FALL;
-  if (!peak || !distinct || !whole || std::abs (k.k1) < std::abs (k.k2))
+  if (!peak || !distinct || std::abs (k.k1) < std::abs (k.k2))
     return CrestType::NONE;
   return k.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
 }

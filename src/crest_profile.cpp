@@ -102,13 +102,17 @@ readProfile (const OrientedPoints& points,
   const double k1 = std::abs (own.k1);
   // Without any noise only rounding is left.
   const double error = std::max (polynomial.k1_error, 1e-9 / window);
+  // The maximum along u is what is measured, and how certainly; how sharp it is takes
+  // the line of curvature.
+  const double bend = c.bendOnCurvatureLine (
+      std::max (std::abs (own.k1 - own.k2), error), from.errors.slope * error);
   const double slope_z = c.slope / (from.errors.slope * error);
   const double peak_z = -c.bend / (from.errors.bend * error);
   const double z = std::hypot (slope_z, peak_z);
-  const double foot = c.bend < 0.0 ? -c.slope / (2.0 * c.bend) * window
-                                   : std::numeric_limits<double>::infinity();
+  const double foot = bend < 0.0 ? -c.slope / (2.0 * c.bend) * window
+                                 : std::numeric_limits<double>::infinity();
   const double to_second_derivative = 2.0 / (window * window);
-  const double sharpness = -c.bend * to_second_derivative / (k1 * k1 * k1);
+  const double sharpness = -bend * to_second_derivative / (k1 * k1 * k1);
   const double sharpness_error =
       2.0 * from.errors.bend * error * to_second_derivative / (k1 * k1 * k1);
 
@@ -123,8 +127,8 @@ readProfile (const OrientedPoints& points,
                         std::abs (sharpness) + sharpness_error < LEAST_SHARPNESS &&
                         std::abs (c.slope) < 0.5 * LEAST_SHARPNESS * k1 * k1 * window;
   const double certainty =
-      c.bend < 0.0 && k1 > LIKELY_CURVATURE_Z * error && changes && z > LIKELY_Z ? z
-                                                                                 : 0.0;
+      bend < 0.0 && k1 > LIKELY_CURVATURE_Z * error && changes && z > LIKELY_Z ? z
+                                                                               : 0.0;
   if (!profile.curvature.valid || resolved || certainty > profile.certainty) {
     describe (own, blend.height, profile);
     profile.curvature.t1 = blend.t1.cast<float>();
@@ -132,7 +136,7 @@ readProfile (const OrientedPoints& points,
     profile.certainty = static_cast<float> (certainty);
     profile.peak_z = static_cast<float> (peak_z);
     profile.sharpness = static_cast<float> (sharpness);
-    profile.fall = static_cast<float> (-c.bend / k1);
+    profile.fall = static_cast<float> (-bend / k1);
     profile.scale = from.scale;
     profile.resolved = resolved;
     profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;

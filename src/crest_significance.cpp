@@ -45,15 +45,16 @@ public:
       return 1.0F;
     const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
     const float k1 = std::abs (profiles_[point].curvature.k1);
-    // A fit over so much of a turn has an error of its own, which falls off where the
-    // data end: a pipe seen from one side would have a ridge along its middle.
-    constexpr float WIDE_TURN = 1.5F;
-    if (k1 * profiles_[point].radius > WIDE_TURN && endsBeside (point, t1) &&
-        endsBeside (point, -t1))
+    // A fit over much of a turn, and the widest of all, has an error of its own that
+    // changes where data end: a pipe seen from one side would have a ridge along it.
+    constexpr float WIDE_TURN = 1.0F;
+    const bool widest = profiles_[point].coarsest_level;
+    if ((widest || k1 * profiles_[point].radius > WIDE_TURN) &&
+        (endsBeside (point, t1) || endsBeside (point, -t1)))
       return 0.0F;
-    // So has the widest of fits that is cut on one side.
-    if (profiles_[point].coarsest_level)
-      return endsBeside (point, t1) || endsBeside (point, -t1) ? 0.0F : 1.0F;
+    // Nothing is beside a crest that fills the widest.
+    if (widest)
+      return 1.0F;
     return 1.0F - std::max (least (point, t1), least (point, -t1)) / k1;
   }
 
@@ -61,15 +62,20 @@ private:
   /** Wider than any crest that is not of the coarsest level, and than any fit. */
   static constexpr int MOST_STEPS = 40;
 
-  /** \brief Whether the data end in a direction within the radius of the fit. */
+  /** \brief Whether the data end in a direction within reach of the fits that made the
+   * profile: those around the point, which reach as far as its own again.
+   */
   bool
   endsBeside (index_t point, Eigen::Vector3f direction) const
   {
     const index_t start = point;
-    const float radius = profiles_[start].radius;
-    for (int step = 0; step < MOST_STEPS && points_.edge (start, point).norm() < radius;
+    constexpr float REACH = 1.5F;
+    // Wider than a walk needs: a gap by chance is no end.
+    constexpr double GOES_ON = 0.5;
+    const float reach = REACH * profiles_[start].radius;
+    for (int step = 0; step < MOST_STEPS && points_.edge (start, point).norm() < reach;
          ++step) {
-      point = next (point, direction);
+      point = next (point, direction, GOES_ON);
       if (point == OrientedPoints::INVALID)
         return true;
       const Eigen::Vector3f& n = points_.normals[point];
@@ -84,6 +90,7 @@ private:
   {
     // The next crest has begun.
     constexpr float RISE = 0.25F;
+    constexpr double DOWNHILL = 0.6;
     // Along t1 of what is passed as long as that goes on in about the same direction.
     constexpr float SAME_DIRECTION = 0.8F;
 
@@ -91,7 +98,7 @@ private:
     const float sign = profiles_[point].curvature.k1 > 0.0F ? 1.0F : -1.0F;
     float smallest = top;
     for (int step = 0; step < MOST_STEPS && smallest >= 0.0F; ++step) {
-      point = next (point, direction);
+      point = next (point, direction, DOWNHILL);
       if (point == OrientedPoints::INVALID || !profiles_[point].curvature.valid)
         break;
       const CrestProfile& profile = profiles_[point];
@@ -111,11 +118,11 @@ private:
     return smallest;
   }
 
-  /** \brief The neighbour closest to a direction, less than 53 degrees off. */
+  /** \brief The neighbour closest to a direction, if nearer than a cosine. */
   index_t
-  next (index_t point, const Eigen::Vector3f& direction) const
+  next (index_t point, const Eigen::Vector3f& direction, double least_cosine) const
   {
-    double best_cosine = 0.6;
+    double best_cosine = least_cosine;
     index_t best = OrientedPoints::INVALID;
     for (const index_t q : graph_.star (point)) {
       const Eigen::Vector3d e = points_.edge (point, q);

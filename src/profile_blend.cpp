@@ -24,7 +24,7 @@ blendProfiles (const Eigen::Vector3d& sample,
 
   const ScaleFit& own = fits[node];
   const double window = polynomials[node].window;
-  BlendedProfile sum{Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0}};
+  BlendedProfile sum{Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0, 0.0}};
   double weights = 0.0;
   const auto add = [&] (index_t q, double least_weight) {
     const ScaleFit& fit = fits[q];
@@ -46,6 +46,7 @@ blendProfiles (const Eigen::Vector3d& sample,
     const double unit = window / polynomial.window;
     sum.profile.slope += w * sign * unit * at.slope;
     sum.profile.bend += w * unit * unit * at.bend;
+    sum.profile.drift += w * sign * unit * at.drift;
     sum.t1 += w * sign * fit.t1;
     sum.height +=
         w * (fit.offset - 0.5 * (fit.k1 * u * u + fit.k2 * v * v) - e.dot (fit.normal));
@@ -57,7 +58,9 @@ blendProfiles (const Eigen::Vector3d& sample,
   const Eigen::Vector3d along = sum.t1 - sum.t1.dot (own.normal) * own.normal;
   return {along.normalized(),
           sum.height / weights,
-          {sum.profile.slope / weights, sum.profile.bend / weights}};
+          {sum.profile.slope / weights,
+           sum.profile.bend / weights,
+           sum.profile.drift / weights}};
 }
 
 ProfileErrors

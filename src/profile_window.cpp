@@ -97,11 +97,25 @@ fitPolynomial (const PyramidLevel& level,
 
 } // namespace
 
+double
+ProfileParabola::bendOnCurvatureLine (double curvature_difference,
+                                      double drift_error) const
+{
+  // A half more than it is: what is left of a maximum that the turn nearly undoes is
+  // within the error of both.
+  constexpr double CAUTION = 1.5;
+  const double squared_drift =
+      std::max (0.0, drift * drift - drift_error * drift_error);
+  return bend + CAUTION * squared_drift / (2.0 * curvature_difference);
+}
+
 ProfileParabola
 ProfilePolynomial::at (double u, double v) const
 {
   const auto& c = coefficients;
-  return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v, c[2]};
+  return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v,
+          c[2],
+          c[3] + c[4] * u + 2.0 * c[5] * v + 2.0 * c[6] * u * v};
 }
 
 bool

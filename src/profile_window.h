@@ -13,6 +13,18 @@ namespace crest {
 struct ProfileParabola {
   double slope;
   double bend;
+  /** the slope along t2 */
+  double drift;
+
+  /** \brief The bend along the line of curvature, which u follows at the place only:
+   * it turns off by drift / (k1 - k2), the geodesic curvature that Codazzi's equation
+   * gives it. Around an axis all points of a surface of revolution have a maximum along
+   * u, and none along the line of curvature (P1 of Cazals and Pouget 2005).
+   *
+   * \param[in] drift_error standard error of the drift: its square is not drift
+   */
+  double
+  bendOnCurvatureLine (double curvature_difference, double drift_error) const;
 };
 
 /** \brief The largest curvature of the sign of k1 around a node as a polynomial of u
