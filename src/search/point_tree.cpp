@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/search/point_tree.h>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+struct Point {
+  float coordinates[3];
+  std::int32_t index;
+};
+
+struct Bounds {
+  float low[3];
+  float high[3];
+
+  int
+  widestAxis () const
+  {
+    int widest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+      if (high[axis] - low[axis] > high[widest] - low[widest])
+        widest = axis;
+    return widest;
+  }
+};
+
+Bounds
+boundsOf (const Point* first, const Point* last)
+{
+  Bounds bounds{{first->coordinates[0], first->coordinates[1], first->coordinates[2]},
+                {first->coordinates[0], first->coordinates[1], first->coordinates[2]}};
+  for (const Point* p = first + 1; p < last; ++p)
+    for (int axis = 0; axis < 3; ++axis) {
+      bounds.low[axis] = std::min (bounds.low[axis], p->coordinates[axis]);
+      bounds.high[axis] = std::max (bounds.high[axis], p->coordinates[axis]);
+    }
+  return bounds;
+}
+
+template <int Axis>
+void
+split (Point* first, Point* middle, Point* last)
+{
+  std::nth_element (first, middle, last, [] (const Point& a, const Point& b) {
+    return a.coordinates[Axis] < b.coordinates[Axis];
+  });
+}
+
+/** \brief Puts the points of a range of leaves in the order of the tree. The left of
+ * two halves has the largest power of two of leaves, all full: the borders of groups on
+ * all levels are then borders of halves.
+ */
+void
+arrange (Point* first, Point* last)
+{
+  constexpr std::ptrdiff_t WORTH_A_TASK = 1 << 14;
+  while (last - first > LEAF_SIZE) {
+    std::ptrdiff_t half = LEAF_SIZE;
+    while (2 * half < last - first)
+      half *= 2;
+    const Bounds bounds = boundsOf (first, last);
+    const int axis = bounds.widestAxis();
+    Point* const middle = first + half;
+    if (bounds.low[axis] == bounds.high[axis]) {
+      // Coincident points by index, so that a search may stop at the lowest.
+      std::sort (first, last, [] (const Point& a, const Point& b) {
+        return a.index < b.index;
+      });
+      return;
+    }
+    if (axis == 0)
+      split<0> (first, middle, last);
+    else if (axis == 1)
+      split<1> (first, middle, last);
+    else
+      split<2> (first, middle, last);
+    if (half >= WORTH_A_TASK) {
+#pragma omp task firstprivate(first, middle)
+      arrange (first, middle);
+    }
+    else
+      arrange (first, middle);
+    first = middle;
+  }
+}
+
+/** \brief The power of two that brings the largest side of the bounding box below one.
+ */
+double
+unitOf (const Bounds& bounds)
+{
+  double extent = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    extent = std::max (extent,
+                       static_cast<double> (bounds.high[axis]) -
+                           static_cast<double> (bounds.low[axis]));
+  int exponent = 0;
+  std::frexp (extent, &exponent);
+  return std::ldexp (1.0, exponent);
+}
+
+PointLeaf
+leafOf (const Point* first, const Point* last)
+{
+  PointLeaf leaf;
+  for (int i = 0; i < LEAF_SIZE; ++i) {
+    const bool present = first + i < last;
+    constexpr float FAR_AWAY = std::numeric_limits<float>::infinity();
+    leaf.x[i] = present ? first[i].coordinates[0] : FAR_AWAY;
+    leaf.y[i] = present ? first[i].coordinates[1] : FAR_AWAY;
+    leaf.z[i] = present ? first[i].coordinates[2] : FAR_AWAY;
+    leaf.index[i] = present ? first[i].index : -1;
+  }
+  return leaf;
+}
+
+BoxGroup
+emptyGroup ()
+{
+  BoxGroup group;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::fill_n (group.low[axis], LEAF_SIZE, std::numeric_limits<float>::infinity());
+    std::fill_n (group.high[axis], LEAF_SIZE, -std::numeric_limits<float>::infinity());
+  }
+  std::fill_n (group.lowest_index, LEAF_SIZE, std::numeric_limits<std::int32_t>::max());
+  return group;
+}
+
+void
+addLeafBox (BoxGroup& group, int i, const PointLeaf& leaf, int points)
+{
+  const float* const coordinates[] = {leaf.x, leaf.y, leaf.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] =
+        std::minmax_element (coordinates[axis], coordinates[axis] + points);
+    group.low[axis][i] = *low;
+    group.high[axis][i] = *high;
+  }
+  group.lowest_index[i] = *std::min_element (leaf.index, leaf.index + points);
+}
+
+void
+addGroupBox (BoxGroup& group, int i, const BoxGroup& child)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    group.low[axis][i] =
+        *std::min_element (child.low[axis], child.low[axis] + LEAF_SIZE);
+    group.high[axis][i] =
+        *std::max_element (child.high[axis], child.high[axis] + LEAF_SIZE);
+  }
+  group.lowest_index[i] =
+      *std::min_element (child.lowest_index, child.lowest_index + LEAF_SIZE);
+}
+
+std::size_t
+groupCount (std::size_t children)
+{
+  return (children + LEAF_SIZE - 1) / LEAF_SIZE;
+}
+
+/** \brief The boxes of all levels, from the leaves up. */
+std::vector<std::vector<BoxGroup>>
+boxesOver (const PointTree& tree, int threads)
+{
+  std::vector<std::vector<BoxGroup>> levels;
+  levels.emplace_back (groupCount (tree.leaves.size()), emptyGroup());
+  const auto leaves = static_cast<std::ptrdiff_t> (tree.leaves.size());
+#pragma omp parallel for num_threads(threads) schedule(static, 4 * LEAF_SIZE)
+  for (std::ptrdiff_t l = 0; l < leaves; ++l) {
+    const std::size_t points = tree.size - static_cast<std::size_t> (l) * LEAF_SIZE;
+    addLeafBox (levels[0][l / LEAF_SIZE],
+                static_cast<int> (l % LEAF_SIZE),
+                tree.leaves[l],
+                static_cast<int> (std::min<std::size_t> (points, LEAF_SIZE)));
+  }
+  while (levels.back().size() > 1) {
+    const std::vector<BoxGroup>& children = levels.back();
+    std::vector<BoxGroup> groups (groupCount (children.size()), emptyGroup());
+    for (std::size_t c = 0; c < children.size(); ++c)
+      addGroupBox (
+          groups[c / LEAF_SIZE], static_cast<int> (c % LEAF_SIZE), children[c]);
+    levels.push_back (std::move (groups));
+  }
+  return levels;
+}
+
+} // namespace
+
+std::string
+buildPointTree (const float* coordinates,
+                std::size_t stride,
+                std::size_t size,
+                unsigned threads,
+                PointTree& tree)
+{
+  tree = PointTree();
+  if (size > MOST_POINTS)
+    return std::to_string (size) + " points are too many: the neighbour search takes " +
+           std::to_string (MOST_POINTS);
+  if (size == 0)
+    return {};
+  const int thread_count =
+      threads == 0 ? omp_get_num_procs() : static_cast<int> (threads);
+  std::vector<Point> points (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const float* const p = coordinates + i * stride;
+    if (!std::isfinite (p[0]) || !std::isfinite (p[1]) || !std::isfinite (p[2]))
+      return "Point " + std::to_string (i) +
+             " is not finite: the neighbour search takes finite points only";
+    points[i] = {{p[0], p[1], p[2]}, static_cast<std::int32_t> (i)};
+  }
+
+  const double unit = unitOf (boundsOf (points.data(), points.data() + size));
+  for (Point& p : points)
+    for (float& coordinate : p.coordinates)
+      coordinate = static_cast<float> (coordinate / unit);
+#pragma omp parallel num_threads(thread_count)
+#pragma omp single
+  arrange (points.data(), points.data() + size);
+
+  tree.size = size;
+  tree.unit = unit;
+  tree.leaves.resize (groupCount (size));
+  const auto leaves = static_cast<std::ptrdiff_t> (tree.leaves.size());
+#pragma omp parallel for num_threads(thread_count) schedule(static)
+  for (std::ptrdiff_t l = 0; l < leaves; ++l)
+    tree.leaves[l] = leafOf (points.data() + l * LEAF_SIZE, points.data() + size);
+  tree.levels = boxesOver (tree, thread_count);
+  return {};
+}
+
+} // namespace crest
+} // namespace pcl
