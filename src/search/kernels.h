@@ -60,11 +60,15 @@ struct Kernels {
 const Kernels&
 portableKernels ();
 
-/** \brief Null where the processor is none that has them. */
+/** \brief Null where the machine does not have the instructions. */
 const Kernels*
 sse2Kernels ();
 const Kernels*
 avx2Kernels ();
+
+/** \brief The portable ones where others are not available. */
+const Kernels&
+kernelsFor (Simd simd);
 
 } // namespace crest
 } // namespace pcl

@@ -12,9 +12,13 @@ namespace crest {
 
 namespace {
 
-/** How much farther than in the leaf before neighbours are looked for, in squared
- * distance: more finds too many, less has to look again too often. */
-constexpr float GUESS = 1.3F;
+/** How much farther than for the leaf before, and than for the point before, neighbours
+ * are looked for, in squared distance: more finds too many, less has to look again too
+ * often. */
+constexpr float LEAF_GUESS = 1.3F;
+constexpr float POINT_GUESS = 1.25F;
+/** How often to guess again before a point is searched for alone. */
+constexpr int MOST_GUESSES = 3;
 
 } // namespace
 
@@ -36,6 +40,11 @@ public:
     places_.resize (room);
     indices_.resize (room);
     ranks_.resize (room);
+    const auto results = static_cast<std::size_t> (LEAF_SIZE * most_ + most_ranked_);
+    found_places_.resize (results);
+    squared_distances_.resize (results);
+    found_.places = found_places_.data();
+    found_.squared_distances = squared_distances_.data();
   }
 
   std::size_t
@@ -50,25 +59,24 @@ public:
   {
     found_.first = first;
     found_.count = last - first;
-    found_.places.clear();
-    found_.squared_distances.clear();
+    used_ = 0;
     const Box box = boxOf (first, last);
-    const std::int32_t own = first / LEAF_SIZE;
-    bool gathered = limit_ > 0.0F && gather (box, own);
+    gathered_ = false;
     float farthest = 0.0F;
     for (std::int32_t place = first; place < last; ++place) {
-      found_.offsets[place - first] = found_.places.size();
+      found_.offsets[place - first] = used_;
       if (nearest_ == 0)
         continue;
-      if (!gathered || !searchGathered (place)) {
+      if (limit_ <= 0.0F || !searchNear (place, box, first / LEAF_SIZE)) {
         searchAlone (place);
-        limit_ = GUESS * found_.squared_distances.back();
-        gathered = place + 1 < last && gather (box, own);
+        gathered_ = false;
+        limit_ = LEAF_GUESS * squared_distances_[used_ - 1];
       }
-      farthest = std::max (farthest, found_.squared_distances.back());
+      near_limit_ = POINT_GUESS * squared_distances_[used_ - 1];
+      farthest = std::max (farthest, squared_distances_[used_ - 1]);
     }
-    found_.offsets[found_.count] = found_.places.size();
-    limit_ = GUESS * farthest;
+    found_.offsets[found_.count] = used_;
+    limit_ = LEAF_GUESS * farthest;
     return found_;
   }
 
@@ -80,15 +88,6 @@ private:
     const std::size_t others = tree.size == 0 ? 0 : tree.size - 1;
     return static_cast<int> (
         std::min (others, static_cast<std::size_t> (std::max (0, wanted))));
-  }
-
-  static const Kernels&
-  kernelsFor (Simd simd)
-  {
-    const Kernels* const kernels = simd == Simd::AVX2   ? avx2Kernels()
-                                   : simd == Simd::SSE2 ? sse2Kernels()
-                                                        : nullptr;
-    return kernels == nullptr ? portableKernels() : *kernels;
   }
 
   void
@@ -145,42 +144,72 @@ private:
     return true;
   }
 
-  /** \brief Appends the neighbours of a point that are in the listed leaves, unless the
-   * limit was too small to have them all.
+  /** \brief Searches for a point in the leaves near a box that it is in.
+   * \return false if it is not worth to guess any more
    */
   bool
-  searchGathered (std::int32_t place)
+  searchNear (std::int32_t place, const Box& box, std::int32_t own)
+  {
+    float limit = std::min (near_limit_, limit_);
+    for (int guesses = 0; guesses < MOST_GUESSES;) {
+      if (!gathered_)
+        gathered_ = gather (box, own);
+      if (!gathered_)
+        return false;
+      const int count = pointsWithin (place, limit);
+      if (count > most_ranked_)
+        return false;
+      if (count >= nearest_ && take (count, limit))
+        return true;
+      if (limit == limit_) {
+        const float missing = LEAF_GUESS * static_cast<float> (nearest_ + 1) /
+                              static_cast<float> (count + 1);
+        limit_ *= std::min (std::max (missing, LEAF_GUESS), 4.0F);
+        gathered_ = false;
+        ++guesses;
+      }
+      limit = limit_;
+    }
+    return false;
+  }
+
+  int
+  pointsWithin (std::int32_t place, float limit)
   {
     float point[3];
     coordinatesOf (place, point);
-    const int count = kernels_.pointsWithin (tree_.leaves.data(),
-                                             leaves_.data(),
-                                             static_cast<int> (leaves_.size()),
-                                             point,
-                                             place,
-                                             limit_,
-                                             squared_.data(),
-                                             places_.data());
-    if (count < nearest_ || count > most_ranked_)
-      return false;
+    return kernels_.pointsWithin (tree_.leaves.data(),
+                                  leaves_.data(),
+                                  static_cast<int> (leaves_.size()),
+                                  point,
+                                  place,
+                                  limit,
+                                  squared_.data(),
+                                  places_.data());
+  }
+
+  /** \brief Appends the nearest of all points within a limit.
+   * \return false if some as far away as the last may be beyond
+   */
+  bool
+  take (int count, float limit)
+  {
     rank (count);
-    const std::size_t before = found_.places.size();
-    resizeFound (before + static_cast<std::size_t> (count));
-    std::int32_t* const places = found_.places.data() + before;
-    float* const squared = found_.squared_distances.data() + before;
+    std::int32_t* const places = found_places_.data() + used_;
+    float* const squared = squared_distances_.data() + used_;
     for (int i = 0; i < count; ++i) {
       places[ranks_[i]] = places_[i];
       squared[ranks_[i]] = squared_[i];
     }
-    const float tied = tiedWith (squared[nearest_ - 1]);
-    if (most_ > nearest_ && tied > limit_) {
-      resizeFound (before);
-      return false;
-    }
     int kept = nearest_;
-    while (kept < std::min (count, most_) && squared[kept] <= tied)
-      ++kept;
-    resizeFound (before + static_cast<std::size_t> (kept));
+    if (most_ > nearest_) {
+      const float tied = tiedWith (squared[nearest_ - 1]);
+      if (tied > limit)
+        return false;
+      while (kept < std::min (count, most_) && squared[kept] <= tied)
+        ++kept;
+    }
+    used_ += static_cast<std::size_t> (kept);
     return true;
   }
 
@@ -189,13 +218,6 @@ private:
   tiedWith (float squared_distance) const
   {
     return static_cast<float> (squared_distance * equidistant_);
-  }
-
-  void
-  resizeFound (std::size_t size)
-  {
-    found_.places.resize (size);
-    found_.squared_distances.resize (size);
   }
 
   void
@@ -221,8 +243,9 @@ private:
       found = &nearest_first_.search (place, point, most_, tied);
     }
     for (const Ranked& neighbor : *found) {
-      found_.places.push_back (neighbor.number);
-      found_.squared_distances.push_back (squaredDistanceOf (neighbor));
+      found_places_[used_] = neighbor.number;
+      squared_distances_[used_] = squaredDistanceOf (neighbor);
+      ++used_;
     }
   }
 
@@ -240,8 +263,12 @@ private:
   /** beyond these a guess is too bad to go on with */
   std::size_t most_leaves_;
   int most_ranked_;
-  /** squared, of the current guess */
+  /** guesses of the squared distance of the last neighbour: for the leaf, for a point
+   */
   float limit_ = 0.0F;
+  float near_limit_ = 0.0F;
+  /** whether leaves_ has those within the limit of the current points */
+  bool gathered_ = false;
   std::vector<Node> stack_;
   std::vector<std::int32_t> leaves_;
   std::vector<float> squared_;
@@ -249,6 +276,10 @@ private:
   std::vector<std::int32_t> indices_;
   std::vector<std::int32_t> ranks_;
   Neighborhoods found_;
+  std::vector<std::int32_t> found_places_;
+  std::vector<float> squared_distances_;
+  /** how many of these */
+  std::size_t used_ = 0;
 };
 
 LeafSearch::LeafSearch (const PointTree& tree, const NeighborCount& count, Simd simd)

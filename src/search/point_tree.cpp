@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/search/point_tree.h>
 
+#include "kernels.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -11,6 +12,9 @@ namespace pcl {
 namespace crest {
 
 namespace {
+
+/** Points are sorted in another way up to this number. */
+constexpr std::ptrdiff_t SMALL = 64;
 
 struct Point {
   float coordinates[3];
@@ -45,13 +49,88 @@ boundsOf (const Point* first, const Point* last)
   return bounds;
 }
 
+/** \brief A value close to the one of a given rank, on its far side: what is on the
+ * wrong side of it is most of the points that need not be looked at any more.
+ */
+template <int Axis>
+float
+valueNear (const Point* first, const Point* wanted, const Point* last)
+{
+  constexpr std::ptrdiff_t SAMPLES = 64;
+  // Twice the standard deviation of a quantile of so many.
+  constexpr std::ptrdiff_t MARGIN = 8;
+  float samples[SAMPLES];
+  const std::ptrdiff_t count = last - first;
+  for (std::ptrdiff_t i = 0; i < SAMPLES; ++i)
+    samples[i] = first[i * count / SAMPLES].coordinates[Axis];
+  const std::ptrdiff_t rank = (wanted - first) * SAMPLES / count;
+  const std::ptrdiff_t beyond = 2 * rank <= SAMPLES
+                                    ? std::min (rank + MARGIN, SAMPLES - 1)
+                                    : std::max<std::ptrdiff_t> (rank - MARGIN, 0);
+  std::nth_element (samples, samples + beyond, samples + SAMPLES);
+  return samples[beyond];
+}
+
+/** \brief Brings the points below a value to the front. There are no branches to be
+ * predicted, half of which would be wrong.
+ * \return the first of the others
+ */
+template <int Axis>
+Point*
+partitionAt (Point* first, Point* last, float value)
+{
+  Point* border = first;
+  for (Point* p = first; p < last; ++p) {
+    const Point point = *p;
+    *p = *border;
+    *border = point;
+    border += static_cast<std::ptrdiff_t> (point.coordinates[Axis] < value);
+  }
+  return border;
+}
+
+/** \brief Sorts a few points by counting how many are below each. */
 template <int Axis>
 void
-split (Point* first, Point* middle, Point* last)
+sortByRank (Point* first, Point* last, const Kernels& kernels)
 {
-  std::nth_element (first, middle, last, [] (const Point& a, const Point& b) {
-    return a.coordinates[Axis] < b.coordinates[Axis];
-  });
+  float values[SMALL + KERNEL_SLACK];
+  std::int32_t indices[SMALL + KERNEL_SLACK];
+  std::int32_t ranks[SMALL + KERNEL_SLACK];
+  Point points[SMALL];
+  const auto count = static_cast<int> (last - first);
+  for (int i = 0; i < count; ++i) {
+    points[i] = first[i];
+    values[i] = points[i].coordinates[Axis];
+    indices[i] = points[i].index;
+  }
+  if (!kernels.rankDistinct (values, count, ranks))
+    kernels.rankTied (values, indices, count, ranks);
+  for (int i = 0; i < count; ++i)
+    first[ranks[i]] = points[i];
+}
+
+/** \brief Does what std::nth_element does, faster. */
+template <int Axis>
+void
+split (Point* first, Point* middle, Point* last, const Kernels& kernels)
+{
+  // More rounds are needed only among many equal coordinates, where they may be in
+  // vain.
+  for (int round = 0; round < 5 && last - first > SMALL; ++round) {
+    Point* const border =
+        partitionAt<Axis> (first, last, valueNear<Axis> (first, middle, last));
+    if (border <= middle)
+      first = border;
+    else
+      last = border;
+  }
+  if (last - first <= SMALL)
+    sortByRank<Axis> (first, last, kernels);
+  else
+    std::nth_element (first, middle, last, [] (const Point& a, const Point& b) {
+      return a.coordinates[Axis] < b.coordinates[Axis];
+    });
 }
 
 /** \brief Puts the points of a range of leaves in the order of the tree. The left of
@@ -59,7 +138,7 @@ split (Point* first, Point* middle, Point* last)
  * all levels are then borders of halves.
  */
 void
-arrange (Point* first, Point* last)
+arrange (Point* first, Point* last, const Kernels& kernels)
 {
   constexpr std::ptrdiff_t WORTH_A_TASK = 1 << 14;
   while (last - first > LEAF_SIZE) {
@@ -77,17 +156,17 @@ arrange (Point* first, Point* last)
       return;
     }
     if (axis == 0)
-      split<0> (first, middle, last);
+      split<0> (first, middle, last, kernels);
     else if (axis == 1)
-      split<1> (first, middle, last);
+      split<1> (first, middle, last, kernels);
     else
-      split<2> (first, middle, last);
+      split<2> (first, middle, last, kernels);
     if (half >= WORTH_A_TASK) {
-#pragma omp task firstprivate(first, middle)
-      arrange (first, middle);
+#pragma omp task firstprivate(first, middle) shared(kernels)
+      arrange (first, middle, kernels);
     }
     else
-      arrange (first, middle);
+      arrange (first, middle, kernels);
     first = middle;
   }
 }
@@ -199,7 +278,8 @@ buildPointTree (const float* coordinates,
                 std::size_t stride,
                 std::size_t size,
                 unsigned threads,
-                PointTree& tree)
+                PointTree& tree,
+                Simd simd)
 {
   tree = PointTree();
   if (size > MOST_POINTS)
@@ -224,7 +304,7 @@ buildPointTree (const float* coordinates,
       coordinate = static_cast<float> (coordinate / unit);
 #pragma omp parallel num_threads(thread_count)
 #pragma omp single
-  arrange (points.data(), points.data() + size);
+  arrange (points.data(), points.data() + size, kernelsFor (simd));
 
   tree.size = size;
   tree.unit = unit;

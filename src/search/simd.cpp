@@ -6,17 +6,35 @@
 namespace pcl {
 namespace crest {
 
-bool
-isAvailable (Simd simd)
+namespace {
+
+/** \brief Null where the machine does not have them. */
+const Kernels*
+find (Simd simd)
 {
   switch (simd) {
   case Simd::AVX2:
-    return avx2Kernels() != nullptr;
+    return avx2Kernels();
   case Simd::SSE2:
-    return sse2Kernels() != nullptr;
+    return sse2Kernels();
   default:
-    return true;
+    return &portableKernels();
   }
+}
+
+} // namespace
+
+bool
+isAvailable (Simd simd)
+{
+  return find (simd) != nullptr;
+}
+
+const Kernels&
+kernelsFor (Simd simd)
+{
+  const Kernels* const kernels = find (simd);
+  return kernels == nullptr ? portableKernels() : *kernels;
 }
 
 Simd

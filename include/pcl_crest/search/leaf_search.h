@@ -30,9 +30,9 @@ struct Neighborhoods {
    * sorted by squared distance, of equal ones by index in the array that the tree was
    * built from */
   std::size_t offsets[LEAF_SIZE + 1] = {};
-  std::vector<std::int32_t> places;
+  const std::int32_t* places = nullptr;
   /** in floats, (dx dx + dy dy) + dz dz, in units of the tree (PointTree::unit) */
-  std::vector<float> squared_distances;
+  const float* squared_distances = nullptr;
 };
 
 /** \brief Finds the nearest neighbours of all points of a leaf at once: its points

@@ -2,6 +2,8 @@
 // Points packed for the search of all their nearest neighbours.
 #pragma once
 
+#include <pcl_crest/search/simd.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -70,6 +72,7 @@ constexpr std::size_t MOST_POINTS = 0x7fffffff;
  * \param[in] size number of points, at most MOST_POINTS
  * \param[in] threads 0 for all processors; the tree does not depend on it
  * \param[out] tree empty on failure
+ * \param[in] simd one that isAvailable; the tree does not depend on it
  * \return what is wrong: too many points, or the first that is not finite; empty if all
  * is well
  */
@@ -78,7 +81,8 @@ buildPointTree (const float* coordinates,
                 std::size_t stride,
                 std::size_t size,
                 unsigned threads,
-                PointTree& tree);
+                PointTree& tree,
+                Simd simd = bestSimd());
 
 } // namespace crest
 } // namespace pcl
