@@ -60,7 +60,7 @@ batched (const Cloud& cloud,
 {
   const PointTree tree = treeOf (cloud, static_cast<unsigned> (threads));
   Neighbors neighbors (cloud.size());
-  const auto leaves = static_cast<std::ptrdiff_t> (tree.leaves.size());
+  const auto leaves = static_cast<std::ptrdiff_t> (tree.leafCount());
 #pragma omp parallel num_threads(threads)
   {
     LeafSearch search (tree, count, simd);
@@ -372,7 +372,7 @@ TEST (PointTree, HasEachPointOnceInDisjointLeaves)
         return true;
     return false;
   };
-  for (std::size_t a = 0; a < tree.leaves.size(); ++a)
+  for (std::size_t a = 0; a < tree.leafCount(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       ASSERT_TRUE (apart (a, b)) << a << " and " << b;
 }

@@ -178,7 +178,7 @@ private:
   {
     float point[3];
     coordinatesOf (place, point);
-    return kernels_.pointsWithin (tree_.leaves.data(),
+    return kernels_.pointsWithin (tree_.leaves.get(),
                                   leaves_.data(),
                                   static_cast<int> (leaves_.size()),
                                   point,

@@ -76,7 +76,7 @@ NearestFirst::visitLeaf (std::int32_t leaf, std::int32_t self, const float* poin
   float squared[LEAF_SIZE + KERNEL_SLACK];
   std::int32_t places[LEAF_SIZE + KERNEL_SLACK];
   const int within = kernels_.pointsWithin (
-      tree_.leaves.data(), &leaf, 1, point, self, limit_, squared, places);
+      tree_.leaves.get(), &leaf, 1, point, self, limit_, squared, places);
   for (int i = 0; i < within; ++i) {
     const Ranked neighbor{keyOf (squared[i], tree_.index (places[i])), places[i], 0};
     if (neighbor.key >= worstKey())

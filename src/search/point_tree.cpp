@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace pcl {
 namespace crest {
@@ -171,6 +172,37 @@ arrange (Point* first, Point* last, const Kernels& kernels)
   }
 }
 
+/** \brief The bounding box of points as they are given, and the first that is not
+ * finite or their number.
+ */
+struct Survey {
+  Bounds bounds;
+  std::size_t first_invalid;
+};
+
+Survey
+survey (const float* coordinates, std::size_t stride, std::size_t size, int threads)
+{
+  constexpr float FAR_AWAY = std::numeric_limits<float>::infinity();
+  float low[3] = {FAR_AWAY, FAR_AWAY, FAR_AWAY};
+  float high[3] = {-FAR_AWAY, -FAR_AWAY, -FAR_AWAY};
+  std::size_t first_invalid = size;
+#pragma omp parallel for num_threads(threads) schedule(static)                         \
+    reduction(min                                                                      \
+              : low, first_invalid) reduction(max                                      \
+                                              : high)
+  for (std::size_t i = 0; i < size; ++i) {
+    const float* const p = coordinates + i * stride;
+    if (!std::isfinite (p[0]) || !std::isfinite (p[1]) || !std::isfinite (p[2]))
+      first_invalid = std::min (first_invalid, i);
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min (low[axis], p[axis]);
+      high[axis] = std::max (high[axis], p[axis]);
+    }
+  }
+  return {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, first_invalid};
+}
+
 /** \brief The power of two that brings the largest side of the bounding box below one.
  */
 double
@@ -186,19 +218,38 @@ unitOf (const Bounds& bounds)
   return std::ldexp (1.0, exponent);
 }
 
-PointLeaf
-leafOf (const Point* first, const Point* last)
+/** \brief Memory that holds the points one after the other, then the leaves. */
+void*
+allocateLeaves (std::size_t leaves)
 {
+  return ::operator new (leaves * sizeof (PointLeaf),
+                         std::align_val_t{alignof (PointLeaf)});
+}
+
+/** \brief Makes a leaf in the place of its points. */
+void
+makeLeaf (Point* points, int count)
+{
+  static_assert (sizeof (PointLeaf) == LEAF_SIZE * sizeof (Point),
+                 "a leaf has to fit where its points were");
   PointLeaf leaf;
   for (int i = 0; i < LEAF_SIZE; ++i) {
-    const bool present = first + i < last;
     constexpr float FAR_AWAY = std::numeric_limits<float>::infinity();
-    leaf.x[i] = present ? first[i].coordinates[0] : FAR_AWAY;
-    leaf.y[i] = present ? first[i].coordinates[1] : FAR_AWAY;
-    leaf.z[i] = present ? first[i].coordinates[2] : FAR_AWAY;
-    leaf.index[i] = present ? first[i].index : -1;
+    const Point point =
+        i < count ? points[i] : Point{{FAR_AWAY, FAR_AWAY, FAR_AWAY}, -1};
+    leaf.x[i] = point.coordinates[0];
+    leaf.y[i] = point.coordinates[1];
+    leaf.z[i] = point.coordinates[2];
+    leaf.index[i] = point.index;
   }
-  return leaf;
+  new (points) PointLeaf (leaf);
+}
+
+int
+pointsOfLeaf (std::size_t size, std::ptrdiff_t leaf)
+{
+  const std::size_t first = static_cast<std::size_t> (leaf) * LEAF_SIZE;
+  return static_cast<int> (std::min<std::size_t> (size - first, LEAF_SIZE));
 }
 
 BoxGroup
@@ -250,16 +301,14 @@ std::vector<std::vector<BoxGroup>>
 boxesOver (const PointTree& tree, int threads)
 {
   std::vector<std::vector<BoxGroup>> levels;
-  levels.emplace_back (groupCount (tree.leaves.size()), emptyGroup());
-  const auto leaves = static_cast<std::ptrdiff_t> (tree.leaves.size());
+  levels.emplace_back (groupCount (tree.leafCount()), emptyGroup());
+  const auto leaves = static_cast<std::ptrdiff_t> (tree.leafCount());
 #pragma omp parallel for num_threads(threads) schedule(static, 4 * LEAF_SIZE)
-  for (std::ptrdiff_t l = 0; l < leaves; ++l) {
-    const std::size_t points = tree.size - static_cast<std::size_t> (l) * LEAF_SIZE;
+  for (std::ptrdiff_t l = 0; l < leaves; ++l)
     addLeafBox (levels[0][l / LEAF_SIZE],
                 static_cast<int> (l % LEAF_SIZE),
                 tree.leaves[l],
-                static_cast<int> (std::min<std::size_t> (points, LEAF_SIZE)));
-  }
+                pointsOfLeaf (tree.size, l));
   while (levels.back().size() > 1) {
     const std::vector<BoxGroup>& children = levels.back();
     std::vector<BoxGroup> groups (groupCount (children.size()), emptyGroup());
@@ -272,6 +321,12 @@ boxesOver (const PointTree& tree, int threads)
 }
 
 } // namespace
+
+void
+PointTree::Release::operator() (PointLeaf* leaves) const
+{
+  ::operator delete (leaves, std::align_val_t{alignof (PointLeaf)});
+}
 
 std::string
 buildPointTree (const float* coordinates,
@@ -289,30 +344,33 @@ buildPointTree (const float* coordinates,
     return {};
   const int thread_count =
       threads == 0 ? omp_get_num_procs() : static_cast<int> (threads);
-  std::vector<Point> points (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const float* const p = coordinates + i * stride;
-    if (!std::isfinite (p[0]) || !std::isfinite (p[1]) || !std::isfinite (p[2]))
-      return "Point " + std::to_string (i) +
-             " is not finite: the neighbour search takes finite points only";
-    points[i] = {{p[0], p[1], p[2]}, static_cast<std::int32_t> (i)};
-  }
-
-  const double unit = unitOf (boundsOf (points.data(), points.data() + size));
-  for (Point& p : points)
-    for (float& coordinate : p.coordinates)
-      coordinate = static_cast<float> (coordinate / unit);
-#pragma omp parallel num_threads(thread_count)
-#pragma omp single
-  arrange (points.data(), points.data() + size, kernelsFor (simd));
+  const Survey found = survey (coordinates, stride, size, thread_count);
+  if (found.first_invalid < size)
+    return "Point " + std::to_string (found.first_invalid) +
+           " is not finite: the neighbour search takes finite points only";
 
   tree.size = size;
-  tree.unit = unit;
-  tree.leaves.resize (groupCount (size));
-  const auto leaves = static_cast<std::ptrdiff_t> (tree.leaves.size());
+  tree.unit = unitOf (found.bounds);
+  const auto leaves = static_cast<std::ptrdiff_t> (tree.leafCount());
+  void* const memory = allocateLeaves (tree.leafCount());
+  auto* const points = static_cast<Point*> (memory);
+  const double scale = 1.0 / tree.unit;
+#pragma omp parallel for num_threads(thread_count) schedule(static)
+  for (std::size_t i = 0; i < size; ++i) {
+    const float* const p = coordinates + i * stride;
+    new (points + i) Point{{static_cast<float> (scale * p[0]),
+                            static_cast<float> (scale * p[1]),
+                            static_cast<float> (scale * p[2])},
+                           static_cast<std::int32_t> (i)};
+  }
+  const Kernels& kernels = kernelsFor (simd);
+#pragma omp parallel num_threads(thread_count)
+#pragma omp single
+  arrange (points, points + size, kernels);
 #pragma omp parallel for num_threads(thread_count) schedule(static)
   for (std::ptrdiff_t l = 0; l < leaves; ++l)
-    tree.leaves[l] = leafOf (points.data() + l * LEAF_SIZE, points.data() + size);
+    makeLeaf (points + l * LEAF_SIZE, pointsOfLeaf (size, l));
+  tree.leaves.reset (std::launder (static_cast<PointLeaf*> (memory)));
   tree.levels = boxesOver (tree, thread_count);
   return {};
 }

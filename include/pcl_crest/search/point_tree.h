@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,14 +46,25 @@ struct alignas (32) BoxGroup {
  * leaves) 8 g ... 8 g + 7 of the level below. 16 bytes a point and 4 for the boxes.
  */
 struct PointTree {
+  struct Release {
+    void
+    operator() (PointLeaf* leaves) const;
+  };
+
   std::size_t size = 0;
-  std::vector<PointLeaf> leaves;
+  std::unique_ptr<PointLeaf[], Release> leaves;
   /** levels[0] are the boxes of leaves; the last level has a single group */
   std::vector<std::vector<BoxGroup>> levels;
   /** The coordinates in the leaves times this are those that the tree was built from.
    * It is a power of two, so that the leaves' are exact, but squares of very large or
    * small coordinates keep within floats. */
   double unit = 1.0;
+
+  std::size_t
+  leafCount () const
+  {
+    return (size + LEAF_SIZE - 1) / LEAF_SIZE;
+  }
 
   /** \brief The index of the point at a place in the array the tree was built from. */
   std::int32_t
