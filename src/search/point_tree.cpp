@@ -37,17 +37,36 @@ struct Bounds {
   }
 };
 
+/** \brief The bounds of every step-th point. */
 Bounds
-boundsOf (const Point* first, const Point* last)
+boundsOf (const Point* first, const Point* last, std::ptrdiff_t step)
 {
   Bounds bounds{{first->coordinates[0], first->coordinates[1], first->coordinates[2]},
                 {first->coordinates[0], first->coordinates[1], first->coordinates[2]}};
-  for (const Point* p = first + 1; p < last; ++p)
+  for (; first < last; first += std::min (step, last - first))
     for (int axis = 0; axis < 3; ++axis) {
-      bounds.low[axis] = std::min (bounds.low[axis], p->coordinates[axis]);
-      bounds.high[axis] = std::max (bounds.high[axis], p->coordinates[axis]);
+      bounds.low[axis] = std::min (bounds.low[axis], first->coordinates[axis]);
+      bounds.high[axis] = std::max (bounds.high[axis], first->coordinates[axis]);
     }
   return bounds;
+}
+
+/** \brief The axis to split points along: the widest, as a sample of them tells, or
+ * none
+ * (-1) if they are all coincident.
+ */
+int
+splitAxis (const Point* first, const Point* last)
+{
+  constexpr std::ptrdiff_t SAMPLES = 256;
+  const std::ptrdiff_t step = std::max<std::ptrdiff_t> (1, (last - first) / SAMPLES);
+  Bounds bounds = boundsOf (first, last, step);
+  int axis = bounds.widestAxis();
+  if (bounds.low[axis] == bounds.high[axis] && step > 1) {
+    bounds = boundsOf (first, last, 1);
+    axis = bounds.widestAxis();
+  }
+  return bounds.low[axis] == bounds.high[axis] ? -1 : axis;
 }
 
 /** \brief A value close to the one of a given rank, on its far side: what is on the
@@ -146,10 +165,9 @@ arrange (Point* first, Point* last, const Kernels& kernels)
     std::ptrdiff_t half = LEAF_SIZE;
     while (2 * half < last - first)
       half *= 2;
-    const Bounds bounds = boundsOf (first, last);
-    const int axis = bounds.widestAxis();
+    const int axis = splitAxis (first, last);
     Point* const middle = first + half;
-    if (bounds.low[axis] == bounds.high[axis]) {
+    if (axis < 0) {
       // Coincident points by index, so that a search may stop at the lowest.
       std::sort (first, last, [] (const Point& a, const Point& b) {
         return a.index < b.index;
