@@ -40,7 +40,7 @@ treeOf (const Cloud& cloud, unsigned threads = 1)
 
 /** \brief Puts down what was found by index, in the cloud's unit. */
 void
-collect (const PointTree& tree, const Neighborhoods& found, Neighbors& neighbors)
+collect (const PointTree& tree, const LeafNeighbors& found, Neighbors& neighbors)
 {
   for (int i = 0; i < found.count; ++i) {
     std::vector<Neighbor>& own = neighbors[tree.index (found.first + i)];

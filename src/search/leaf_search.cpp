@@ -54,7 +54,7 @@ public:
   }
 
   /** \brief Searches for the points [first, last) of one leaf. */
-  const Neighborhoods&
+  const LeafNeighbors&
   search (std::int32_t first, std::int32_t last)
   {
     found_.first = first;
@@ -275,7 +275,7 @@ private:
   std::vector<std::int32_t> places_;
   std::vector<std::int32_t> indices_;
   std::vector<std::int32_t> ranks_;
-  Neighborhoods found_;
+  LeafNeighbors found_;
   std::vector<std::int32_t> found_places_;
   std::vector<float> squared_distances_;
   /** how many of these */
@@ -288,7 +288,7 @@ LeafSearch::LeafSearch (const PointTree& tree, const NeighborCount& count, Simd 
 
 LeafSearch::~LeafSearch() = default;
 
-const Neighborhoods&
+const LeafNeighbors&
 LeafSearch::searchLeaf (std::size_t leaf)
 {
   const std::size_t first = leaf * LEAF_SIZE;
@@ -297,7 +297,7 @@ LeafSearch::searchLeaf (std::size_t leaf)
       static_cast<std::int32_t> (std::min (first + LEAF_SIZE, worker_->size())));
 }
 
-const Neighborhoods&
+const LeafNeighbors&
 LeafSearch::searchPoint (std::int32_t place)
 {
   return worker_->search (place, place + 1);

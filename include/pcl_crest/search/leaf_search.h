@@ -22,7 +22,7 @@ struct NeighborCount {
 };
 
 /** \brief The neighbours of consecutive points, until the next search. */
-struct Neighborhoods {
+struct LeafNeighbors {
   /** place of the first of the points, and their number */
   std::int32_t first = 0;
   int count = 0;
@@ -43,7 +43,7 @@ struct Neighborhoods {
  * such object belongs to one thread; consecutive leaves are fastest. \code PointTree
  * tree; const std::string error = buildPointTree (&points[0].x, 3, points.size(), 0,
  * tree); LeafSearch search (tree, {20}); for (std::size_t leaf = 0; leaf <
- * tree.leaves.size(); ++leaf) { const Neighborhoods& found = search.searchLeaf (leaf);
+ * tree.leaves.size(); ++leaf) { const LeafNeighbors& found = search.searchLeaf (leaf);
  *   for (int i = 0; i < found.count; ++i)
  *     for (std::size_t j = found.offsets[i]; j < found.offsets[i + 1]; ++j)
  *       use (tree.index (found.first + i), tree.index (found.places[j]));
@@ -60,11 +60,11 @@ public:
   ~LeafSearch();
 
   /** \brief The neighbours of all points of a leaf. */
-  const Neighborhoods&
+  const LeafNeighbors&
   searchLeaf (std::size_t leaf);
 
   /** \brief The neighbours of the point at one place. */
-  const Neighborhoods&
+  const LeafNeighbors&
   searchPoint (std::int32_t place);
 
 private:
