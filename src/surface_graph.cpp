@@ -183,8 +183,8 @@ struct PointwiseCandidates {
   const NeighborSearch& search;
 
   /** \brief The i-th point that is visited. */
-  index_t
-  point (std::size_t i) const
+  static index_t
+  point (std::size_t i)
   {
     return static_cast<index_t> (i);
   }

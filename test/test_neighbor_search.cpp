@@ -74,8 +74,10 @@ clouds ()
 {
   std::vector<Cloud> result{*oracle::sample (oracle::ridgeAndValley(), 3000)};
   std::vector<Eigen::Vector3f> lattice;
-  for (int i = 0; i < 2500; ++i)
-    lattice.push_back (0.1F * Eigen::Vector3f (i % 50, i / 50, 0.0F));
+  for (int y = 0; y < 50; ++y)
+    for (int x = 0; x < 50; ++x)
+      lattice.emplace_back (
+          0.1F * static_cast<float> (x), 0.1F * static_cast<float> (y), 0.0F);
   result.push_back (cloudOf (lattice));
   std::mt19937 random (1);
   std::uniform_real_distribution<float> coordinate (-1.0F, 1.0F);

@@ -31,7 +31,7 @@ public:
   , equidistant_ (1.0 + count.equidistant)
   , kernels_ (kernelsFor (simd))
   , nearest_first_ (tree, kernels_)
-  , most_leaves_ (64 + 8 * static_cast<std::size_t> (nearest_))
+  , most_leaves_ (std::min (64 + 8 * nearest_, tree.leafCount()))
   , most_ranked_ (64 + std::max (4 * nearest_, most_))
   {
     leaves_.reserve (most_leaves_ + LEAF_SIZE);
@@ -40,7 +40,7 @@ public:
     places_.resize (room);
     indices_.resize (room);
     ranks_.resize (room);
-    const auto results = static_cast<std::size_t> (LEAF_SIZE * most_ + most_ranked_);
+    const std::size_t results = LEAF_SIZE * most_ + most_ranked_;
     found_places_.resize (results);
     squared_distances_.resize (results);
     found_.places = found_places_.data();
@@ -82,12 +82,11 @@ public:
 
 private:
   /** \brief So many neighbours as there can be of those wanted. */
-  static int
+  static std::size_t
   othersOf (const PointTree& tree, int wanted)
   {
     const std::size_t others = tree.size == 0 ? 0 : tree.size - 1;
-    return static_cast<int> (
-        std::min (others, static_cast<std::size_t> (std::max (0, wanted))));
+    return std::min (others, static_cast<std::size_t> (std::max (0, wanted)));
   }
 
   void
@@ -156,7 +155,7 @@ private:
         gathered_ = gather (box, own);
       if (!gathered_)
         return false;
-      const int count = pointsWithin (place, limit);
+      const std::size_t count = pointsWithin (place, limit);
       if (count > most_ranked_)
         return false;
       if (count >= nearest_ && take (count, limit))
@@ -173,35 +172,36 @@ private:
     return false;
   }
 
-  int
+  std::size_t
   pointsWithin (std::int32_t place, float limit)
   {
     float point[3];
     coordinatesOf (place, point);
-    return kernels_.pointsWithin (tree_.leaves.get(),
-                                  leaves_.data(),
-                                  static_cast<int> (leaves_.size()),
-                                  point,
-                                  place,
-                                  limit,
-                                  squared_.data(),
-                                  places_.data());
+    return static_cast<std::size_t> (
+        kernels_.pointsWithin (tree_.leaves.get(),
+                               leaves_.data(),
+                               static_cast<int> (leaves_.size()),
+                               point,
+                               place,
+                               limit,
+                               squared_.data(),
+                               places_.data()));
   }
 
   /** \brief Appends the nearest of all points within a limit.
    * \return false if some as far away as the last may be beyond
    */
   bool
-  take (int count, float limit)
+  take (std::size_t count, float limit)
   {
     rank (count);
     std::int32_t* const places = found_places_.data() + used_;
     float* const squared = squared_distances_.data() + used_;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       places[ranks_[i]] = places_[i];
       squared[ranks_[i]] = squared_[i];
     }
-    int kept = nearest_;
+    std::size_t kept = nearest_;
     if (most_ > nearest_) {
       const float tied = tiedWith (squared[nearest_ - 1]);
       if (tied > limit)
@@ -209,7 +209,7 @@ private:
       while (kept < std::min (count, most_) && squared[kept] <= tied)
         ++kept;
     }
-    used_ += static_cast<std::size_t> (kept);
+    used_ += kept;
     return true;
   }
 
@@ -221,13 +221,15 @@ private:
   }
 
   void
-  rank (int count)
+  rank (std::size_t count)
   {
-    if (kernels_.rankDistinct (squared_.data(), count, ranks_.data()))
+    if (kernels_.rankDistinct (
+            squared_.data(), static_cast<int> (count), ranks_.data()))
       return;
-    for (int i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
       indices_[i] = tree_.index (places_[i]);
-    kernels_.rankTied (squared_.data(), indices_.data(), count, ranks_.data());
+    kernels_.rankTied (
+        squared_.data(), indices_.data(), static_cast<int> (count), ranks_.data());
   }
 
   void
@@ -255,14 +257,14 @@ private:
   };
 
   const PointTree& tree_;
-  int most_;
-  int nearest_;
+  std::size_t most_;
+  std::size_t nearest_;
   double equidistant_;
   const Kernels& kernels_;
   NearestFirst nearest_first_;
   /** beyond these a guess is too bad to go on with */
   std::size_t most_leaves_;
-  int most_ranked_;
+  std::size_t most_ranked_;
   /** guesses of the squared distance of the last neighbour: for the leaf, for a point
    */
   float limit_ = 0.0F;
