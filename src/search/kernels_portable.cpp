@@ -60,19 +60,30 @@ pointsWithin (const PointLeaf* leaves,
   return found;
 }
 
-bool
-rankDistinct (float* values, int count, std::int32_t* ranks)
+/** \brief Counts for eight values at once, without branches: compilers make vectors of
+ * that.
+ * \param[in] isLess (i, j) whether value j comes before value i
+ */
+template <typename IsLess>
+void
+countLess (int count, const IsLess& isLess, std::int32_t* ranks)
 {
-  const int padded = (count + LEAF_SIZE - 1) / LEAF_SIZE * LEAF_SIZE;
-  std::fill (values + count, values + padded, std::numeric_limits<float>::infinity());
-  std::int64_t sum = 0;
-  for (int first = 0; first < padded; first += LEAF_SIZE) {
+  for (int first = 0; first < count; first += LEAF_SIZE) {
     std::int32_t less[LEAF_SIZE] = {};
     for (int j = 0; j < count; ++j)
       for (int i = 0; i < LEAF_SIZE; ++i)
-        less[i] += static_cast<std::int32_t> (values[j] < values[first + i]);
+        less[i] += static_cast<std::int32_t> (isLess (first + i, j));
     std::copy (less, less + LEAF_SIZE, ranks + first);
   }
+}
+
+bool
+rankDistinct (float* values, int count, std::int32_t* ranks)
+{
+  std::fill_n (values + count, LEAF_SIZE, std::numeric_limits<float>::infinity());
+  countLess (
+      count, [values] (int i, int j) { return values[j] < values[i]; }, ranks);
+  std::int64_t sum = 0;
   for (int i = 0; i < count; ++i)
     sum += ranks[i];
   // Equal values share the lowest of their ranks, which makes the sum smaller.
@@ -85,13 +96,12 @@ rankTied (const float* values,
           int count,
           std::int32_t* ranks)
 {
-  for (int i = 0; i < count; ++i) {
-    std::int32_t less = 0;
-    for (int j = 0; j < count; ++j)
-      less += static_cast<std::int32_t> (
-          values[j] < values[i] || (values[j] == values[i] && indices[j] < indices[i]));
-    ranks[i] = less;
-  }
+  const auto isLess = [values, indices] (int i, int j) {
+    const auto nearer = static_cast<unsigned> (values[j] < values[i]);
+    const auto equal = static_cast<unsigned> (values[j] == values[i]);
+    return nearer | (equal & static_cast<unsigned> (indices[j] < indices[i]));
+  };
+  countLess (count, isLess, ranks);
 }
 
 } // namespace

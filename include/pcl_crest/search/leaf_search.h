@@ -12,7 +12,9 @@ namespace crest {
 
 /** \brief Which neighbours to find. */
 struct NeighborCount {
-  /** the nearest, without the point itself; fewer only where the cloud has no more */
+  /** the nearest, without the point itself; fewer only where the cloud has no more.
+   * Meant for up to some hundred: beyond, the cost of sorting them grows with their
+   * square. */
   int nearest = 0;
   /** Beyond these, others that are as far away as the last of them: those whose squared
    * distance is larger by at most this part. */
