@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/search/point_tree.h>
 
-#include "kernels.h"
+#include "kd_order.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -14,187 +14,11 @@ namespace crest {
 
 namespace {
 
-/** Points are sorted in another way up to this number. */
-constexpr std::ptrdiff_t SMALL = 64;
-
-struct Point {
-  float coordinates[3];
-  std::int32_t index;
-};
-
-struct Bounds {
-  float low[3];
-  float high[3];
-
-  int
-  widestAxis () const
-  {
-    int widest = 0;
-    for (int axis = 1; axis < 3; ++axis)
-      if (high[axis] - low[axis] > high[widest] - low[widest])
-        widest = axis;
-    return widest;
-  }
-};
-
-/** \brief The bounds of every step-th point. */
-Bounds
-boundsOf (const Point* first, const Point* last, std::ptrdiff_t step)
-{
-  Bounds bounds{{first->coordinates[0], first->coordinates[1], first->coordinates[2]},
-                {first->coordinates[0], first->coordinates[1], first->coordinates[2]}};
-  for (; first < last; first += std::min (step, last - first))
-    for (int axis = 0; axis < 3; ++axis) {
-      bounds.low[axis] = std::min (bounds.low[axis], first->coordinates[axis]);
-      bounds.high[axis] = std::max (bounds.high[axis], first->coordinates[axis]);
-    }
-  return bounds;
-}
-
-/** \brief The axis to split points along: the widest, as a sample of them tells, or
- * none
- * (-1) if they are all coincident.
- */
-int
-splitAxis (const Point* first, const Point* last)
-{
-  constexpr std::ptrdiff_t SAMPLES = 256;
-  const std::ptrdiff_t step = std::max<std::ptrdiff_t> (1, (last - first) / SAMPLES);
-  Bounds bounds = boundsOf (first, last, step);
-  int axis = bounds.widestAxis();
-  if (bounds.low[axis] == bounds.high[axis] && step > 1) {
-    bounds = boundsOf (first, last, 1);
-    axis = bounds.widestAxis();
-  }
-  return bounds.low[axis] == bounds.high[axis] ? -1 : axis;
-}
-
-/** \brief A value close to the one of a given rank, on its far side: what is on the
- * wrong side of it is most of the points that need not be looked at any more.
- */
-template <int Axis>
-float
-valueNear (const Point* first, const Point* wanted, const Point* last)
-{
-  constexpr std::ptrdiff_t SAMPLES = 64;
-  // Twice the standard deviation of a quantile of so many.
-  constexpr std::ptrdiff_t MARGIN = 8;
-  float samples[SAMPLES];
-  const std::ptrdiff_t count = last - first;
-  for (std::ptrdiff_t i = 0; i < SAMPLES; ++i)
-    samples[i] = first[i * count / SAMPLES].coordinates[Axis];
-  const std::ptrdiff_t rank = (wanted - first) * SAMPLES / count;
-  const std::ptrdiff_t beyond = 2 * rank <= SAMPLES
-                                    ? std::min (rank + MARGIN, SAMPLES - 1)
-                                    : std::max<std::ptrdiff_t> (rank - MARGIN, 0);
-  std::nth_element (samples, samples + beyond, samples + SAMPLES);
-  return samples[beyond];
-}
-
-/** \brief Brings the points below a value to the front. There are no branches to be
- * predicted, half of which would be wrong.
- * \return the first of the others
- */
-template <int Axis>
-Point*
-partitionAt (Point* first, Point* last, float value)
-{
-  Point* border = first;
-  for (Point* p = first; p < last; ++p) {
-    const Point point = *p;
-    *p = *border;
-    *border = point;
-    border += static_cast<std::ptrdiff_t> (point.coordinates[Axis] < value);
-  }
-  return border;
-}
-
-/** \brief Sorts a few points by counting how many are below each. */
-template <int Axis>
-void
-sortByRank (Point* first, Point* last, const Kernels& kernels)
-{
-  float values[SMALL + KERNEL_SLACK];
-  std::int32_t indices[SMALL + KERNEL_SLACK];
-  std::int32_t ranks[SMALL + KERNEL_SLACK];
-  Point points[SMALL];
-  const auto count = static_cast<int> (last - first);
-  for (int i = 0; i < count; ++i) {
-    points[i] = first[i];
-    values[i] = points[i].coordinates[Axis];
-    indices[i] = points[i].index;
-  }
-  if (!kernels.rankDistinct (values, count, ranks))
-    kernels.rankTied (values, indices, count, ranks);
-  for (int i = 0; i < count; ++i)
-    first[ranks[i]] = points[i];
-}
-
-/** \brief Does what std::nth_element does, faster. */
-template <int Axis>
-void
-split (Point* first, Point* middle, Point* last, const Kernels& kernels)
-{
-  // More rounds are needed only among many equal coordinates, where they may be in
-  // vain.
-  for (int round = 0; round < 5 && last - first > SMALL; ++round) {
-    Point* const border =
-        partitionAt<Axis> (first, last, valueNear<Axis> (first, middle, last));
-    if (border <= middle)
-      first = border;
-    else
-      last = border;
-  }
-  if (last - first <= SMALL)
-    sortByRank<Axis> (first, last, kernels);
-  else
-    std::nth_element (first, middle, last, [] (const Point& a, const Point& b) {
-      return a.coordinates[Axis] < b.coordinates[Axis];
-    });
-}
-
-/** \brief Puts the points of a range of leaves in the order of the tree. The left of
- * two halves has the largest power of two of leaves, all full: the borders of groups on
- * all levels are then borders of halves.
- */
-void
-arrange (Point* first, Point* last, const Kernels& kernels)
-{
-  constexpr std::ptrdiff_t WORTH_A_TASK = 1 << 14;
-  while (last - first > LEAF_SIZE) {
-    std::ptrdiff_t half = LEAF_SIZE;
-    while (2 * half < last - first)
-      half *= 2;
-    const int axis = splitAxis (first, last);
-    Point* const middle = first + half;
-    if (axis < 0) {
-      // Coincident points by index, so that a search may stop at the lowest.
-      std::sort (first, last, [] (const Point& a, const Point& b) {
-        return a.index < b.index;
-      });
-      return;
-    }
-    if (axis == 0)
-      split<0> (first, middle, last, kernels);
-    else if (axis == 1)
-      split<1> (first, middle, last, kernels);
-    else
-      split<2> (first, middle, last, kernels);
-    if (half >= WORTH_A_TASK) {
-#pragma omp task firstprivate(first, middle) shared(kernels)
-      arrange (first, middle, kernels);
-    }
-    else
-      arrange (first, middle, kernels);
-    first = middle;
-  }
-}
-
 /** \brief The bounding box of points as they are given, and the first that is not
  * finite or their number.
  */
 struct Survey {
-  Bounds bounds;
+  Box bounds;
   std::size_t first_invalid;
 };
 
@@ -224,7 +48,7 @@ survey (const float* coordinates, std::size_t stride, std::size_t size, int thre
 /** \brief The power of two that brings the largest side of the bounding box below one.
  */
 double
-unitOf (const Bounds& bounds)
+unitOf (const Box& bounds)
 {
   double extent = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -246,15 +70,15 @@ allocateLeaves (std::size_t leaves)
 
 /** \brief Makes a leaf in the place of its points. */
 void
-makeLeaf (Point* points, int count)
+makeLeaf (PackedPoint* points, int count)
 {
-  static_assert (sizeof (PointLeaf) == LEAF_SIZE * sizeof (Point),
+  static_assert (sizeof (PointLeaf) == LEAF_SIZE * sizeof (PackedPoint),
                  "a leaf has to fit where its points were");
   PointLeaf leaf;
   for (int i = 0; i < LEAF_SIZE; ++i) {
     constexpr float FAR_AWAY = std::numeric_limits<float>::infinity();
-    const Point point =
-        i < count ? points[i] : Point{{FAR_AWAY, FAR_AWAY, FAR_AWAY}, -1};
+    const PackedPoint point =
+        i < count ? points[i] : PackedPoint{{FAR_AWAY, FAR_AWAY, FAR_AWAY}, -1};
     leaf.x[i] = point.coordinates[0];
     leaf.y[i] = point.coordinates[1];
     leaf.z[i] = point.coordinates[2];
@@ -371,20 +195,17 @@ buildPointTree (const float* coordinates,
   tree.unit = unitOf (found.bounds);
   const auto leaves = static_cast<std::ptrdiff_t> (tree.leafCount());
   void* const memory = allocateLeaves (tree.leafCount());
-  auto* const points = static_cast<Point*> (memory);
+  auto* const points = static_cast<PackedPoint*> (memory);
   const double scale = 1.0 / tree.unit;
 #pragma omp parallel for num_threads(thread_count) schedule(static)
   for (std::size_t i = 0; i < size; ++i) {
     const float* const p = coordinates + i * stride;
-    new (points + i) Point{{static_cast<float> (scale * p[0]),
-                            static_cast<float> (scale * p[1]),
-                            static_cast<float> (scale * p[2])},
-                           static_cast<std::int32_t> (i)};
+    new (points + i) PackedPoint{{static_cast<float> (scale * p[0]),
+                                  static_cast<float> (scale * p[1]),
+                                  static_cast<float> (scale * p[2])},
+                                 static_cast<std::int32_t> (i)};
   }
-  const Kernels& kernels = kernelsFor (simd);
-#pragma omp parallel num_threads(thread_count)
-#pragma omp single
-  arrange (points, points + size, kernels);
+  putInKdOrder (points, size, kernelsFor (simd), thread_count);
 #pragma omp parallel for num_threads(thread_count) schedule(static)
   for (std::ptrdiff_t l = 0; l < leaves; ++l)
     makeLeaf (points + l * LEAF_SIZE, pointsOfLeaf (size, l));
