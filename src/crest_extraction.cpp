@@ -114,7 +114,60 @@ significantLinesOf (const OrientedPoints& points,
       points, evidence, traceLines (points, net, type), parameters);
 }
 
+/** \brief Section 4.2.
+ * \param[in] wide_search makes the search for creases
+ * \param[in,out] shape has the graph
+ */
+template <typename MakeSearch>
+void
+analyzeCurvature (const OrientedPoints& points,
+                  const MakeSearch& wide_search,
+                  const Parameters& parameters,
+                  SurfaceShape& shape,
+                  Stopwatch& watch)
+{
+  if (parameters.preset == Preset::PAPER)
+    shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
+  else {
+    const NeighborSearch search = wide_search();
+    shape.sharp_lines =
+        traceCreases (points,
+                      shape.graph,
+                      search,
+                      findCreases (points, shape.graph, search, parameters.threads),
+                      parameters.threads);
+    watch.stageDone ("creases");
+    shape.profiles =
+        profileSharpCrests (points, shape.graph, shape.sharp_lines, parameters.threads);
+    for (const CrestProfile& profile : shape.profiles)
+      shape.curvature.push_back (profile.curvature);
+  }
+  watch.stageDone ("curvature");
+}
+
 } // namespace
+
+SurfaceShape
+analyzeSurface (const OrientedPoints& points, const Parameters& parameters)
+{
+  SurfaceShape shape;
+  Stopwatch watch (shape.times);
+  if (!parameters.batched_search || parameters.radius > 0.0) {
+    const NeighborSearch search = kdTreeSearch (points, parameters);
+    watch.stageDone ("search tree");
+    SurfaceShape rest = analyzeSurface (points, search, parameters);
+    rest.times.insert (rest.times.begin(), shape.times.begin(), shape.times.end());
+    return rest;
+  }
+  const std::shared_ptr<const PointTree> tree =
+      batchedTree (points, parameters.threads);
+  watch.stageDone ("search tree");
+  shape.graph = buildSurfaceGraph (points, *tree, parameters);
+  watch.stageDone ("surface graph");
+  const auto wide_search = [&] { return batchedSearch (tree, CREASE_NEIGHBORS); };
+  analyzeCurvature (points, wide_search, parameters, shape, watch);
+  return shape;
+}
 
 SurfaceShape
 analyzeSurface (const OrientedPoints& points,
@@ -125,25 +178,12 @@ analyzeSurface (const OrientedPoints& points,
   Stopwatch watch (shape.times);
   shape.graph = buildSurfaceGraph (points, search, parameters);
   watch.stageDone ("surface graph");
-  if (parameters.preset == Preset::PAPER)
-    shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
-  else {
-    Parameters crease_parameters;
-    crease_parameters.k = CREASE_NEIGHBORS;
-    const NeighborSearch wide_search = kdTreeSearch (points, crease_parameters);
-    shape.sharp_lines = traceCreases (
-        points,
-        shape.graph,
-        wide_search,
-        findCreases (points, shape.graph, wide_search, parameters.threads),
-        parameters.threads);
-    watch.stageDone ("creases");
-    shape.profiles =
-        profileSharpCrests (points, shape.graph, shape.sharp_lines, parameters.threads);
-    for (const CrestProfile& profile : shape.profiles)
-      shape.curvature.push_back (profile.curvature);
-  }
-  watch.stageDone ("curvature");
+  const auto wide_search = [&points] {
+    Parameters wide;
+    wide.k = CREASE_NEIGHBORS;
+    return kdTreeSearch (points, wide);
+  };
+  analyzeCurvature (points, wide_search, parameters, shape, watch);
   return shape;
 }
 

@@ -1,22 +1,100 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/impl/neighbor_search.hpp>
+#include <pcl_crest/search/leaf_search.h>
 
 #include <pcl/search/kdtree.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <cassert>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
 namespace pcl {
 namespace crest {
+
+namespace {
+
+/** \brief What findNeighbors finds, where the point itself is the first of the k. */
+NeighborCount
+candidateCount (int k)
+{
+  return {k - 1, EQUIDISTANT, 8 * k - 1};
+}
+
+/** \brief The i-th point and its neighbours. */
+void
+copyIndices (const PointTree& tree,
+             const LeafNeighbors& neighbors,
+             int i,
+             std::vector<index_t>& found)
+{
+  found.assign (1, tree.index (neighbors.first + i));
+  for (std::size_t j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j)
+    found.push_back (tree.index (neighbors.places[j]));
+}
+
+/** \brief Searches for single points from several threads. */
+class SharedSearch {
+public:
+  SharedSearch (std::shared_ptr<const PointTree> tree, int k)
+  : tree_ (std::move (tree)), k_ (k), places_ (tree_->size)
+  {
+    for (std::size_t place = 0; place < places_.size(); ++place) {
+      const auto p = static_cast<index_t> (place);
+      places_[tree_->index (p)] = p;
+    }
+  }
+
+  void
+  find (index_t point, std::vector<index_t>& found)
+  {
+    std::unique_ptr<LeafSearch> search = take();
+    copyIndices (*tree_, search->searchPoint (places_[point]), 0, found);
+    giveBack (std::move (search));
+  }
+
+private:
+  std::unique_ptr<LeafSearch>
+  take ()
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    if (idle_.empty())
+      return std::make_unique<LeafSearch> (*tree_, candidateCount (k_));
+    std::unique_ptr<LeafSearch> search = std::move (idle_.back());
+    idle_.pop_back();
+    return search;
+  }
+
+  void
+  giveBack (std::unique_ptr<LeafSearch> search)
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    idle_.push_back (std::move (search));
+  }
+
+  std::shared_ptr<const PointTree> tree_;
+  int k_;
+  /** of each point its place in the tree */
+  std::vector<index_t> places_;
+  std::mutex mutex_;
+  /** what a thread needs for a search, while none has it */
+  std::vector<std::unique_ptr<LeafSearch>> idle_;
+};
+
+} // namespace
 
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters)
 {
-  const double scale = points.extent > 0.0 ? 1.0 / points.extent : 1.0;
+  int exponent = 0;
+  std::frexp (points.extent, &exponent);
+  const double scale = std::ldexp (1.0, -exponent);
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   cloud->reserve (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto p = static_cast<index_t> (i);
-    const Eigen::Vector3f q = (scale * points.edge (0, p)).cast<float>();
+  for (const Eigen::Vector3f& p : points.positions) {
+    const Eigen::Vector3f q = (scale * p.cast<double>()).cast<float>();
     cloud->emplace_back (q.x(), q.y(), q.z());
   }
   const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>> (false);
@@ -26,6 +104,47 @@ kdTreeSearch (const OrientedPoints& points, const Parameters& parameters)
              index_t point, std::vector<index_t>& found) {
     findNeighbors<pcl::PointXYZ> (*tree, (*cloud)[point], k, radius, found);
   };
+}
+
+std::shared_ptr<const PointTree>
+batchedTree (const OrientedPoints& points, unsigned threads)
+{
+  auto tree = std::make_shared<PointTree>();
+  const float* const coordinates =
+      points.positions.empty() ? nullptr : points.positions.front().data();
+  const std::string error =
+      buildPointTree (coordinates, 3, points.size(), threads, *tree);
+  // Packed points are finite and not too many.
+  assert (error.empty());
+  static_cast<void> (error);
+  return tree;
+}
+
+void
+visitLeaves (
+    const PointTree& tree,
+    int k,
+    std::size_t first,
+    std::size_t last,
+    const std::function<void (index_t point, const std::vector<index_t>& found)>& use)
+{
+  LeafSearch search (tree, candidateCount (k));
+  std::vector<index_t> found;
+  for (std::size_t place = first; place < last; place += LEAF_SIZE) {
+    const LeafNeighbors& neighbors = search.searchLeaf (place / LEAF_SIZE);
+    for (int i = 0; i < neighbors.count; ++i) {
+      copyIndices (tree, neighbors, i, found);
+      use (tree.index (neighbors.first + i), found);
+    }
+  }
+}
+
+NeighborSearch
+batchedSearch (const std::shared_ptr<const PointTree>& tree, int k)
+{
+  return
+      [search = std::make_shared<SharedSearch> (tree, k)] (
+          index_t point, std::vector<index_t>& found) { search->find (point, found); };
 }
 
 } // namespace crest

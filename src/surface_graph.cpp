@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/search/point_tree.h>
 #include <pcl_crest/surface_graph.h>
 
 #include <Eigen/Geometry>
@@ -34,12 +35,6 @@ struct Projected {
   /** squared length of the difference of the two normals, which rounding changes less
    * than their cosine */
   double normal_difference;
-};
-
-/** \brief What the filter leaves of one block of points. */
-struct FilteredBlock {
-  std::vector<index_t> neighbors;
-  double spacing_sum = 0.0;
 };
 
 class QuadrantFilter {
@@ -183,10 +178,55 @@ private:
   std::vector<double> nearest_;
 };
 
+/** \brief Candidates from a search for single points, in the order of the points. */
+struct PointwiseCandidates {
+  const NeighborSearch& search;
+
+  /** \brief The i-th point that is visited. */
+  static index_t
+  point (std::size_t i)
+  {
+    return static_cast<index_t> (i);
+  }
+
+  /** \brief Calls use (point, found) for the points of a block in their order. */
+  template <typename Use>
+  void
+  visit (std::size_t first, std::size_t last, const Use& use) const
+  {
+    std::vector<index_t> found;
+    for (std::size_t i = first; i < last; ++i) {
+      search (point (i), found);
+      use (point (i), found);
+    }
+  }
+};
+
+/** \brief Candidates from the batched search, in the order of its tree. */
+struct BatchedCandidates {
+  const PointTree& tree;
+  int k;
+
+  index_t
+  point (std::size_t i) const
+  {
+    return tree.index (static_cast<index_t> (i));
+  }
+
+  template <typename Use>
+  void
+  visit (std::size_t first, std::size_t last, const Use& use) const
+  {
+    static_assert (BLOCK_SIZE % LEAF_SIZE == 0, "blocks have whole leaves");
+    visitLeaves (tree, k, first, last, use);
+  }
+};
+
 /** \brief Stars as the filter chose them: an edge may be known at one end only. */
+template <typename Candidates>
 SurfaceGraph
 filterNeighbors (const OrientedPoints& points,
-                 const NeighborSearch& search,
+                 const Candidates& candidates,
                  const Parameters& parameters)
 {
   const std::size_t size = points.size();
@@ -194,37 +234,43 @@ filterNeighbors (const OrientedPoints& points,
   directed.offsets.assign (size + 1, 0);
   directed.boundary.assign (size, 0);
   directed.spacing.assign (size, 0.0F);
-  std::vector<FilteredBlock> blocks (blockCount (size));
+  std::vector<std::vector<index_t>> blocks (blockCount (size));
+  forEachBlock (
+      size,
+      parameters.threads,
+      [&] (std::size_t block, std::size_t first, std::size_t last) {
+        QuadrantFilter filter (points, parameters);
+        std::vector<index_t>& neighbors = blocks[block];
+        candidates.visit (
+            first, last, [&] (index_t point, const std::vector<index_t>& found) {
+              filter.rank (point, found);
+              directed.spacing[point] = static_cast<float> (filter.spacing());
+              const std::size_t before = neighbors.size();
+              directed.boundary[point] = filter.select (point, neighbors) ? 1 : 0;
+              directed.offsets[point + 1] = neighbors.size() - before;
+            });
+      });
+
+  double spacing_sum = 0.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    directed.offsets[i + 1] += directed.offsets[i];
+    spacing_sum += directed.spacing[i];
+  }
+  directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
+  directed.neighbors.resize (directed.offsets.back());
   forEachBlock (size,
                 parameters.threads,
                 [&] (std::size_t block, std::size_t first, std::size_t last) {
-                  QuadrantFilter filter (points, parameters);
-                  std::vector<index_t> found;
-                  FilteredBlock& filtered = blocks[block];
+                  const index_t* from = blocks[block].data();
                   for (std::size_t i = first; i < last; ++i) {
-                    const auto point = static_cast<index_t> (i);
-                    search (point, found);
-                    filter.rank (point, found);
-                    const double spacing = filter.spacing();
-                    directed.spacing[i] = static_cast<float> (spacing);
-                    filtered.spacing_sum += spacing;
-                    const std::size_t before = filtered.neighbors.size();
-                    directed.boundary[i] =
-                        filter.select (point, filtered.neighbors) ? 1 : 0;
-                    directed.offsets[i + 1] = filtered.neighbors.size() - before;
+                    const index_t point = candidates.point (i);
+                    const index_t* const to =
+                        from + directed.offsets[point + 1] - directed.offsets[point];
+                    std::copy (
+                        from, to, directed.neighbors.data() + directed.offsets[point]);
+                    from = to;
                   }
                 });
-
-  for (std::size_t i = 0; i < size; ++i)
-    directed.offsets[i + 1] += directed.offsets[i];
-  directed.neighbors.reserve (directed.offsets.back());
-  double spacing_sum = 0.0;
-  for (const FilteredBlock& block : blocks) {
-    directed.neighbors.insert (
-        directed.neighbors.end(), block.neighbors.begin(), block.neighbors.end());
-    spacing_sum += block.spacing_sum;
-  }
-  directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
   return directed;
 }
 
@@ -277,7 +323,16 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
                    const Parameters& parameters)
 {
-  return symmetrize (filterNeighbors (points, search, parameters));
+  return symmetrize (filterNeighbors (points, PointwiseCandidates{search}, parameters));
+}
+
+SurfaceGraph
+buildSurfaceGraph (const OrientedPoints& points,
+                   const PointTree& tree,
+                   const Parameters& parameters)
+{
+  return symmetrize (
+      filterNeighbors (points, BatchedCandidates{tree, parameters.k}, parameters));
 }
 
 SurfaceGraph

@@ -161,6 +161,36 @@ TEST_F (Bunny, LinesAreTreesWithoutShortBranches)
   }
 }
 
+TEST_F (Bunny, BothSearchesGiveTheSameLines)
+{
+  for (const Preset preset : {Preset::PAPER, Preset::AUTO}) {
+    const auto run = [&] (bool batched, pcl::PointCloud<pcl::Label>& labels) {
+      Estimation estimation;
+      estimation.setInputCloud (cloud_);
+      estimation.setPreset (preset);
+      estimation.setUseBatchedSearch (batched);
+      estimation.compute (labels);
+      return estimation;
+    };
+    pcl::PointCloud<pcl::Label> labels, expected_labels;
+    const Estimation estimation = run (true, labels);
+    const Estimation expected = run (false, expected_labels);
+    ASSERT_EQ (labels.size(), cloud_->size());
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      ASSERT_EQ (labels[i].label, expected_labels[i].label) << i;
+    EXPECT_EQ (estimation.getStatistics().mean_spacing,
+               expected.getStatistics().mean_spacing);
+    ASSERT_GT (expected.getLines().size(), 10U);
+    ASSERT_EQ (estimation.getLines().size(), expected.getLines().size());
+    for (std::size_t l = 0; l < expected.getLines().size(); ++l) {
+      const CrestLine& line = estimation.getLines()[l];
+      EXPECT_EQ (line.polylines, expected.getLines()[l].polylines);
+      EXPECT_EQ (line.length, expected.getLines()[l].length);
+      EXPECT_EQ (line.strength, expected.getLines()[l].strength);
+    }
+  }
+}
+
 TEST_F (Bunny, OrderThreadsAndNormalsGiveTheSame)
 {
   Estimation estimation;

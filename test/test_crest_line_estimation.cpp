@@ -245,6 +245,32 @@ TEST (Feature, RadiusTakesThePlaceOfK)
     EXPECT_EQ (label, LABEL_INVALID);
 }
 
+TEST (Feature, TheBatchedSearchGivesTheSameLabels)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  const std::vector<std::uint32_t> expected = labelsOf (estimation);
+  estimation.setUseBatchedSearch (true);
+  EXPECT_EQ (labelsOf (estimation), expected);
+  // It has no radius: that stays with the KdTree.
+  estimation.setRadiusSearch (3.0 * oracle::meanSpacing (*ridgeAndValley()));
+  const std::vector<std::uint32_t> by_radius = labelsOf (estimation);
+  estimation.setUseBatchedSearch (false);
+  EXPECT_EQ (labelsOf (estimation), by_radius);
+}
+
+TEST (Feature, TheBatchedSearchBesideASearchMethodIsRefused)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  estimation.setSearchMethod (
+      pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
+  estimation.setUseBatchedSearch (true);
+  expectRefused (estimation, "Both a search method and the batched search are set");
+  estimation.setUseBatchedSearch (false);
+  EXPECT_FALSE (labelsOf (estimation).empty());
+}
+
 TEST (Feature, CurvaturesAreThoseOfASphere)
 {
   const Cloud::Ptr cloud = oracle::sample (oracle::sphere (2.0), 8000);

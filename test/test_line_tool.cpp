@@ -135,6 +135,7 @@ TEST_F (LineTool, WritesWhatTheLibraryComputes)
   EXPECT_EQ (0.4, json.at ("parameters").at ("M_ridge"));
   EXPECT_EQ (0.2, json.at ("parameters").at ("M_valley"));
   EXPECT_EQ (1, json.at ("threads"));
+  EXPECT_EQ ("batched", json.at ("parameters").at ("search"));
   for (const std::string stage : {"reading", "normals", "surface graph", "writing"})
     EXPECT_TRUE (json.at ("milliseconds").contains (stage)) << stage;
 }
@@ -240,6 +241,8 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
   EXPECT_GT (valleys[LABEL_VALLEY], 0U);
   const auto both = labelsOf ({"-type", "both"});
   EXPECT_EQ (ridges[LABEL_RIDGE], both[LABEL_RIDGE]);
+  EXPECT_EQ (both, labelsOf ({"-search", "kdtree"}));
+  EXPECT_EQ (both, labelsOf ({"-search", "batched"}));
 
   // M in the file's unit, with the same value in the relative one.
   Eigen::AlignedBox3f box;
@@ -270,7 +273,7 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
           "-absolute ",   "-S ",      "-S_ridge ",    "-S_valley ",   "-prune ",
           "-preset ",     "-angle ",  "-min_length ", "-confidence ", "-positions ",
           "-boundaries ", "-type ",   "-threads ",    "-lines ",      "-stats ",
-          "-curvatures ", "-h ",      "(default 24)"})
+          "-curvatures ", "-search ", "-h ",          "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
 }
@@ -300,6 +303,8 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-S_ridge", "-2"}, "S is -2");
   expectUsageError ({in, out, "-preset", "paper", "-prune", "-1"}, "-1");
   expectUsageError ({in, out, "-preset", "fast"}, "must be auto or paper");
+  expectUsageError ({in, out, "-search", "fast"}, "must be batched or kdtree");
+  expectUsageError ({in, out, "-search", "batched", "-radius", "1"}, "has no radius");
   expectUsageError ({in, out, "-angle", "-1"}, "the turning angle is -1");
   expectUsageError ({in, out, "-angle", "181"}, "from 0 to 180 degrees");
   expectUsageError ({in, out, "-angle", "30deg"}, "must be a number");

@@ -230,6 +230,16 @@ addEstimationOptions (Options& options, Parameters& parameters)
                    wanted = "above 0";
                  return wanted;
                });
+  parameters.batched_search = true;
+  options.add ("-search",
+               "NAME",
+               "how to find the k neighbours, batched or PCL's kdtree\n"
+               "                          (default batched; -radius takes the kdtree)",
+               [&parameters] (const std::string& value) {
+                 parameters.batched_search = value == "batched";
+                 const bool known = value == "batched" || value == "kdtree";
+                 return std::string (known ? "" : "batched or kdtree");
+               });
   addPerType (
       options,
       "-M",
@@ -297,6 +307,9 @@ takeArguments (int argc,
   }
   if (options.given ("-k") && options.given ("-radius"))
     return "the options -k and -radius exclude each other: give one of them";
+  if (options.given ("-radius") && options.given ("-search") &&
+      parameters.batched_search)
+    return "the batched search has no radius: give -search kdtree, or -k";
   const bool paper = parameters.preset == Preset::PAPER;
   const std::vector<std::string> of_other_preset =
       paper ? std::vector<std::string>{"-angle",

@@ -35,7 +35,11 @@ struct Crests {
   std::vector<StageTime> times;
 };
 
-/** \brief Sections 4.1 and 4.2. */
+/** \brief Sections 4.1 and 4.2, with the search that the parameters name. */
+SurfaceShape
+analyzeSurface (const OrientedPoints& points, const Parameters& parameters);
+
+/** \brief The same with any search in the place of those of the parameters. */
 SurfaceShape
 analyzeSurface (const OrientedPoints& points,
                 const NeighborSearch& search,

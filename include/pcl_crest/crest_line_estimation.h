@@ -190,6 +190,16 @@ public:
     parameters_.boundaries = boundaries;
   }
 
+  /** \brief Choose whether the k neighbours are found by the library's own batched
+   * search in the place of PCL's KdTree: several times as fast, with the same result. A
+   * radius is searched with the KdTree even so. With setSearchMethod it is a mistake.
+   */
+  void
+  setUseBatchedSearch (bool batched)
+  {
+    parameters_.batched_search = batched;
+  }
+
   /** \brief Set the number of threads; 0 takes all processors. */
   void
   setNumberOfThreads (unsigned nr_threads = 0)

@@ -6,6 +6,7 @@
 #include <pcl_crest/parameters.h>
 
 #include <functional>
+#include <memory>
 
 namespace pcl {
 namespace crest {
@@ -15,12 +16,37 @@ namespace crest {
  */
 using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& found)>;
 
-/** \brief The default: PCL's KdTree over the packed points, moved and scaled to the
- * unit box, since squares of very large or small coordinates do not fit into its
- * floats. \param[in] points to search in \param[in] parameters k and radius are used
+struct PointTree;
+
+/** \brief The default: PCL's KdTree over the packed points, scaled to about the unit
+ * box, since squares of very large or small coordinates do not fit into its floats, by
+ * a power of two, which rounds nothing. \param[in] points to search in \param[in]
+ * parameters k and radius are used
  */
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters);
+
+/** \brief The tree of the batched search (search/point_tree.h) over the packed points.
+ * \param[in] threads 0 for all processors
+ */
+std::shared_ptr<const PointTree>
+batchedTree (const OrientedPoints& points, unsigned threads);
+
+/** \brief Calls use (point, found) for points of such a tree, with their candidate
+ * neighbours: exactly those that kdTreeSearch finds for a k, the point among them.
+ * \param[in] first, last places in the tree; first is a multiple of LEAF_SIZE
+ */
+void
+visitLeaves (
+    const PointTree& tree,
+    int k,
+    std::size_t first,
+    std::size_t last,
+    const std::function<void (index_t point, const std::vector<index_t>& found)>& use);
+
+/** \brief The same for single points, in any order. */
+NeighborSearch
+batchedSearch (const std::shared_ptr<const PointTree>& tree, int k);
 
 } // namespace crest
 } // namespace pcl

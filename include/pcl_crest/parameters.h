@@ -63,6 +63,11 @@ struct Parameters {
   /** Search radius in the cloud's unit; 0 searches for k neighbours instead. */
   double radius = 0.0;
 
+  /** Whether the k neighbours are found by the library's own search, leaf by leaf,
+   * several times as fast as PCL's KdTree; the result is the same. A radius search, and
+   * one set by the user, are not concerned. */
+  bool batched_search = false;
+
   /** Neighbours kept in each quadrant of the tangent plane, one for each interval of
    * 90 / points_per_quadrant degrees (4.1). */
   int points_per_quadrant = 2;

@@ -77,6 +77,15 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
                    const Parameters& parameters);
 
+/** \brief The same graph with the candidates that the batched search finds.
+ * \param[in] tree from batchedTree over these points
+ * \param[in] parameters k is used, too
+ */
+SurfaceGraph
+buildSurfaceGraph (const OrientedPoints& points,
+                   const PointTree& tree,
+                   const Parameters& parameters);
+
 /** \brief The graph without the edges of some points, which stay as points alone.
  * \param[in] removed 1 for these, 0 for the others
  */

@@ -70,9 +70,7 @@ using Neighborhoods = std::vector<std::vector<index_t>>;
 Neighborhoods
 findNeighborhoods (const OrientedPoints& points)
 {
-  Parameters parameters;
-  parameters.k = NEIGHBORS + 1;
-  const NeighborSearch search = kdTreeSearch (points, parameters);
+  const NeighborSearch search = batchedSearch (batchedTree (points, 0), NEIGHBORS + 1);
   Neighborhoods neighborhoods (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     search (static_cast<index_t> (i), neighborhoods[i]);

@@ -38,6 +38,9 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   if (k_ != 0 && search_radius_ != 0.0)
     return refuse ("Both k (" + std::to_string (k_) + ") and a radius (" +
                    std::to_string (search_radius_) + ") are set: set one of them to 0");
+  if (tree_ && parameters_.batched_search)
+    return refuse ("Both a search method and the batched search are set: call "
+                   "setSearchMethod (nullptr) or setUseBatchedSearch (false)");
   const std::string invalid = crest::explainInvalid (getParameters());
   if (!invalid.empty())
     return refuse ("Invalid parameter: " + invalid);
@@ -127,11 +130,9 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
         found[kept++] = points.packed_index[i];
     found.resize (kept);
   };
-  const crest::NeighborSearch search =
-      tree_ ? given_search : crest::kdTreeSearch (points, parameters);
-  watch.stageDone ("search tree");
-
-  const crest::SurfaceShape shape = crest::analyzeSurface (points, search, parameters);
+  const crest::SurfaceShape shape =
+      tree_ ? crest::analyzeSurface (points, given_search, parameters)
+            : crest::analyzeSurface (points, parameters);
   if (stale_search) {
     PCL_ERROR (
         "[pcl::%s::compute] The search method returned points outside the cloud: "
