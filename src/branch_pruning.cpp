@@ -42,31 +42,26 @@ prune (const OrientedPoints& points,
        Forest& forest)
 {
   // The path of a branch ends with its junction, and has one point more if too long.
-  const auto pathOf = [&] (int end) {
-    return forest.walk (end, forest.neighbors (end)[0], most + 2);
-  };
-  const auto isShortBranch = [&] (const std::vector<int>& path) {
+  std::vector<int> path;
+  const auto isShortBranch = [&] (int end) {
+    forest.walk (end, forest.neighbors (end)[0], most + 2, path);
     return forest.isJunction (path.back()) && size (path) <= largest;
   };
   std::priority_queue<Branch, std::vector<Branch>, std::greater<>> branches;
-  const auto push = [&] (int end, const std::vector<int>& path) {
-    branches.push ({size (path), polylineLength (points, forest.packed (path)), end});
+  const auto push = [&] (int end) {
+    branches.push ({size (path), forest.length (points, path), end});
   };
 
   for (int v = 0; v < forest.size(); ++v)
-    if (forest.degree (v) == 1) {
-      const std::vector<int> path = pathOf (v);
-      if (isShortBranch (path))
-        push (v, path);
-    }
+    if (forest.degree (v) == 1 && isShortBranch (v))
+      push (v);
   while (!branches.empty()) {
     const Branch shortest = branches.top();
     branches.pop();
-    const std::vector<int> path = pathOf (shortest.end);
-    if (!isShortBranch (path))
+    if (!isShortBranch (shortest.end))
       continue;
     if (size (path) > shortest.size) {
-      push (shortest.end, path);
+      push (shortest.end);
       continue;
     }
     for (std::size_t i = 1; i < path.size(); ++i)
@@ -97,8 +92,7 @@ pruneShortBranches (const OrientedPoints& points,
 {
   Forest graph (edges);
   const auto part_of_limit = [&] (const std::vector<int>& path) {
-    return polylineLength (points, graph.packed (path)) /
-           limits[graph.packed (path.back())];
+    return graph.length (points, path) / limits[graph.packed (path.back())];
   };
   prune (points, 1.0, points.size(), part_of_limit, graph);
   return graph.remaining (edges);

@@ -31,7 +31,7 @@ linesOfPaper (const OrientedPoints& points,
       growRegions (shape.graph, shape.curvature, crest_points, type);
   watch.stageDone ("region growing");
   const std::vector<CrestEdge> forest =
-      minimumSpanningForest (points.size(), crestEdges (points, shape.graph, members));
+      minimumSpanningForest (points, shape.graph, members);
   watch.stageDone ("spanning forest");
   const auto largest_branch = static_cast<std::size_t> (parameters.prune);
   const std::vector<CrestEdge> pruned = pruneBranches (points, forest, largest_branch);

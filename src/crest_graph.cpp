@@ -12,6 +12,40 @@ namespace crest {
 
 namespace {
 
+bool
+isShorter (const CrestEdge& e, const CrestEdge& f)
+{
+  return std::tie (e.squared_length, e.a, e.b) < std::tie (f.squared_length, f.a, f.b);
+}
+
+/** \brief Kruskal's algorithm, which sorts only those of the longer edges that the
+ * shorter ones have not made cycles of (Filter-Kruskal: Osipov, Sanders and Singler
+ * 2009).
+ */
+template <typename Iterator>
+void
+takeShortest (Iterator first,
+              Iterator last,
+              DisjointSets& trees,
+              std::vector<CrestEdge>& forest)
+{
+  constexpr std::ptrdiff_t FEW = 1000;
+  if (last - first <= FEW) {
+    std::sort (first, last, isShorter);
+    for (auto edge = first; edge != last; ++edge)
+      if (trees.unite (edge->a, edge->b))
+        forest.push_back (*edge);
+    return;
+  }
+  const auto middle = first + (last - first) / 2;
+  std::nth_element (first, middle, last, isShorter);
+  takeShortest (first, middle, trees, forest);
+  last = std::remove_if (middle, last, [&] (const CrestEdge& e) {
+    return trees.find (e.a) == trees.find (e.b);
+  });
+  takeShortest (middle, last, trees, forest);
+}
+
 EdgeType
 edgeType (Membership a, Membership b)
 {
@@ -19,6 +53,57 @@ edgeType (Membership a, Membership b)
     return EdgeType::A;
   return a == Membership::GROWN && b == Membership::GROWN ? EdgeType::C : EdgeType::B;
 }
+
+CrestEdge
+makeEdge (const OrientedPoints& points, index_t p, index_t q, EdgeType type)
+{
+  return {std::min (p, q), std::max (p, q), type, points.edge (p, q).squaredNorm()};
+}
+
+/** \brief The crest graphs of one type with the trees that are found in them. */
+struct GrowingForest {
+  const OrientedPoints& points;
+  const SurfaceGraph& graph;
+  const std::vector<Membership>& membership;
+  DisjointSets trees;
+  std::vector<CrestEdge> edges;
+
+  /** \brief Takes for each point of a membership, all of which are trees of their own,
+   * the shortest edge of a type: the first step of Boruvka (1926), which needs no
+   * sorting.
+   */
+  void
+  takeShortestOfEach (Membership from, EdgeType type)
+  {
+    for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
+      if (membership[p] != from)
+        continue;
+      CrestEdge shortest{};
+      for (const index_t q : graph.star (p))
+        if (membership[q] == Membership::CREST) {
+          const CrestEdge edge = makeEdge (points, p, q, type);
+          if (shortest.a == shortest.b || isShorter (edge, shortest))
+            shortest = edge;
+        }
+      if (shortest.a != shortest.b && trees.unite (shortest.a, shortest.b))
+        edges.push_back (shortest);
+    }
+  }
+
+  /** \brief Takes the edges between points of two memberships that are missing. */
+  void
+  takeOthers (Membership from, Membership to, EdgeType type)
+  {
+    std::vector<CrestEdge> missing;
+    for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p)
+      if (membership[p] == from)
+        for (const index_t q : graph.star (p))
+          if (membership[q] == to && (from != to || p < q) &&
+              trees.find (p) != trees.find (q))
+            missing.push_back (makeEdge (points, p, q, type));
+    takeShortest (missing.begin(), missing.end(), trees, edges);
+  }
+};
 
 } // namespace
 
@@ -51,10 +136,8 @@ crestEdges (const OrientedPoints& points,
       continue;
     for (const index_t b : graph.star (a))
       if (a < b && membership[b] != Membership::OUTSIDE)
-        edges.push_back ({a,
-                          b,
-                          edgeType (membership[a], membership[b]),
-                          points.edge (a, b).squaredNorm()});
+        edges.push_back (
+            makeEdge (points, a, b, edgeType (membership[a], membership[b])));
   }
   return edges;
 }
@@ -133,6 +216,20 @@ admissibleEdges (const OrientedPoints& points,
 }
 
 std::vector<CrestEdge>
+minimumSpanningForest (const OrientedPoints& points,
+                       const SurfaceGraph& graph,
+                       const std::vector<Membership>& membership)
+{
+  GrowingForest forest{points, graph, membership, DisjointSets (points.size()), {}};
+  forest.takeShortestOfEach (Membership::CREST, EdgeType::A);
+  forest.takeOthers (Membership::CREST, Membership::CREST, EdgeType::A);
+  forest.takeShortestOfEach (Membership::GROWN, EdgeType::B);
+  forest.takeOthers (Membership::GROWN, Membership::CREST, EdgeType::B);
+  forest.takeOthers (Membership::GROWN, Membership::GROWN, EdgeType::C);
+  return std::move (forest.edges);
+}
+
+std::vector<CrestEdge>
 minimumSpanningForest (std::size_t size,
                        std::vector<CrestEdge> edges,
                        const std::vector<CrestEdge>& given)
@@ -143,28 +240,13 @@ minimumSpanningForest (std::size_t size,
       });
   const auto c_begin = std::partition (
       b_begin, edges.end(), [] (const CrestEdge& e) { return e.type == EdgeType::B; });
-  const auto shorter = [] (const CrestEdge& e, const CrestEdge& f) {
-    return std::tie (e.squared_length, e.a, e.b) <
-           std::tie (f.squared_length, f.a, f.b);
-  };
-
   DisjointSets trees (size);
   std::vector<CrestEdge> forest = given;
   for (const CrestEdge& edge : given)
     trees.unite (edge.a, edge.b);
-  const auto takeBucket = [&] (auto first, auto last) {
-    // Most edges of the later buckets close a cycle already: drop them before sorting.
-    last = std::remove_if (first, last, [&] (const CrestEdge& e) {
-      return trees.find (e.a) == trees.find (e.b);
-    });
-    std::sort (first, last, shorter);
-    for (auto edge = first; edge != last; ++edge)
-      if (trees.unite (edge->a, edge->b))
-        forest.push_back (*edge);
-  };
-  takeBucket (edges.begin(), b_begin);
-  takeBucket (b_begin, c_begin);
-  takeBucket (c_begin, edges.end());
+  takeShortest (edges.begin(), b_begin, trees, forest);
+  takeShortest (b_begin, c_begin, trees, forest);
+  takeShortest (c_begin, edges.end(), trees, forest);
   return forest;
 }
 

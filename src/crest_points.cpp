@@ -31,11 +31,13 @@ neighborsAcross (const OrientedPoints& points,
   double most_behind = 0.0;
   for (const index_t q : star) {
     const Eigen::Vector3d e = points.edge (point, q);
-    const Eigen::Vector3d projected = e - e.dot (n) * n;
-    const double length = projected.norm();
-    if (length == 0.0)
+    const double height = e.dot (n);
+    const double squared = e.squaredNorm();
+    const double in_plane = squared - height * height;
+    // Straight above or below the point there is no direction.
+    if (in_plane <= 1e-12 * squared)
       continue;
-    const double cosine = projected.dot (t) / length;
+    const double cosine = e.dot (t) / std::sqrt (in_plane);
     if (cosine > most_ahead + EQUAL_COSINE) {
       most_ahead = cosine;
       across.ahead = q;

@@ -3,6 +3,8 @@
 
 #include <pcl_crest/crest_graph.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <iterator>
 
@@ -23,23 +25,28 @@ polylineLength (const OrientedPoints& points, const std::vector<index_t>& polyli
  */
 class Forest {
 public:
+  /** Few have more. */
+  using Neighbors = boost::container::small_vector<int, 4>;
+
   explicit Forest (const std::vector<CrestEdge>& edges)
   {
-    vertices_.reserve (2 * edges.size());
-    for (const CrestEdge& edge : edges) {
-      vertices_.push_back (edge.a);
-      vertices_.push_back (edge.b);
-    }
-    std::sort (vertices_.begin(), vertices_.end());
-    vertices_.erase (std::unique (vertices_.begin(), vertices_.end()), vertices_.end());
+    index_t highest = -1;
+    for (const CrestEdge& edge : edges)
+      highest = std::max ({highest, edge.a, edge.b});
+    local_.assign (static_cast<std::size_t> (highest) + 1, -1);
+    for (const CrestEdge& edge : edges)
+      local_[edge.a] = local_[edge.b] = 0;
+    for (index_t p = 0; p <= highest; ++p)
+      if (local_[p] == 0) {
+        local_[p] = static_cast<int> (vertices_.size());
+        vertices_.push_back (p);
+      }
     adjacency_.resize (vertices_.size());
     for (const CrestEdge& edge : edges) {
-      const int a = local (edge.a);
-      const int b = local (edge.b);
-      adjacency_[a].push_back (b);
-      adjacency_[b].push_back (a);
+      adjacency_[local_[edge.a]].push_back (local_[edge.b]);
+      adjacency_[local_[edge.b]].push_back (local_[edge.a]);
     }
-    for (std::vector<int>& neighbors : adjacency_)
+    for (Neighbors& neighbors : adjacency_)
       std::sort (neighbors.begin(), neighbors.end());
   }
 
@@ -48,7 +55,7 @@ public:
   {
     return static_cast<int> (vertices_.size());
   }
-  const std::vector<int>&
+  const Neighbors&
   neighbors (int v) const
   {
     return adjacency_[v];
@@ -82,9 +89,7 @@ public:
   int
   local (index_t packed) const
   {
-    return static_cast<int> (
-        std::lower_bound (vertices_.begin(), vertices_.end(), packed) -
-        vertices_.begin());
+    return local_[packed];
   }
 
   index_t
@@ -99,12 +104,28 @@ public:
   std::vector<int>
   walk (int v, int w, std::size_t limit) const
   {
-    std::vector<int> path{v, w};
+    std::vector<int> path;
+    walk (v, w, limit, path);
+    return path;
+  }
+  void
+  walk (int v, int w, std::size_t limit, std::vector<int>& path) const
+  {
+    path.assign ({v, w});
     while (degree (path.back()) == 2 && path.back() != v && path.size() < limit) {
-      const std::vector<int>& next = adjacency_[path.back()];
+      const Neighbors& next = adjacency_[path.back()];
       path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
     }
-    return path;
+  }
+
+  /** \brief The length of a path. */
+  double
+  length (const OrientedPoints& points, const std::vector<int>& path) const
+  {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      sum += points.edge (vertices_[path[i - 1]], vertices_[path[i]]).norm();
+    return sum;
   }
 
   /** \brief The points that hang together with `start`, ascending; marks them seen. */
@@ -162,7 +183,7 @@ public:
     std::vector<CrestEdge> kept;
     std::copy_if (
         edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
-          const std::vector<int>& stays = neighbors (local (e.a));
+          const Neighbors& stays = neighbors (local (e.a));
           return std::binary_search (stays.begin(), stays.end(), local (e.b));
         });
     return kept;
@@ -172,19 +193,21 @@ private:
   void
   attach (int v, int w)
   {
-    std::vector<int>& neighbors = adjacency_[v];
+    Neighbors& neighbors = adjacency_[v];
     neighbors.insert (std::upper_bound (neighbors.begin(), neighbors.end(), w), w);
   }
 
   void
   detach (int v, int w)
   {
-    std::vector<int>& neighbors = adjacency_[v];
+    Neighbors& neighbors = adjacency_[v];
     neighbors.erase (std::find (neighbors.begin(), neighbors.end(), w));
   }
 
   std::vector<index_t> vertices_;
-  std::vector<std::vector<int>> adjacency_;
+  /** of each packed point up to the highest its place here, or -1 */
+  std::vector<int> local_;
+  std::vector<Neighbors> adjacency_;
 };
 
 } // namespace crest

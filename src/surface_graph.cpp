@@ -2,181 +2,15 @@
 #include <pcl_crest/search/point_tree.h>
 #include <pcl_crest/surface_graph.h>
 
-#include <Eigen/Geometry>
-
 #include "parallel.h"
+#include "quadrant_filter.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace crest {
 
 namespace {
-
-struct Candidate {
-  double squared_distance;
-  index_t point;
-
-  bool
-  operator<(const Candidate& o) const
-  {
-    return squared_distance != o.squared_distance
-               ? squared_distance < o.squared_distance
-               : point < o.point;
-  }
-};
-
-struct Projected {
-  double squared_distance;
-  index_t point;
-  /** from the point to it, in the tangent plane */
-  Eigen::Vector3d edge;
-  /** squared length of the difference of the two normals, which rounding changes less
-   * than their cosine */
-  double normal_difference;
-};
-
-class QuadrantFilter {
-public:
-  QuadrantFilter (const OrientedPoints& points, const Parameters& parameters)
-  : points_ (points)
-  , intervals_ (4 * parameters.points_per_quadrant)
-  , per_quadrant_ (parameters.points_per_quadrant)
-  , width_ (2.0 * M_PI / intervals_)
-  // A jump is an angle above the limit; the slack keeps right angles, exact on boxes.
-  , min_cosine_ (std::cos (parameters.max_normal_angle * M_PI / 180.0) - 1e-6)
-  {}
-
-  /** \brief Sorts the found points by distance, then index; drops the point itself. */
-  void
-  rank (index_t point, const std::vector<index_t>& found)
-  {
-    candidates_.clear();
-    for (const index_t q : found)
-      if (q != point)
-        candidates_.push_back ({points_.edge (point, q).squaredNorm(), q});
-    std::sort (candidates_.begin(), candidates_.end());
-    // A search over the raw cloud may find a sample twice, as two coincident points.
-    const auto same = [] (const Candidate& a, const Candidate& b) {
-      return a.point == b.point;
-    };
-    candidates_.erase (std::unique (candidates_.begin(), candidates_.end(), same),
-                       candidates_.end());
-  }
-
-  double
-  spacing () const
-  {
-    const std::size_t count = std::min<std::size_t> (6, candidates_.size());
-    double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i)
-      sum += std::sqrt (candidates_[i].squared_distance);
-    return count == 0 ? 0.0 : sum / static_cast<double> (count);
-  }
-
-  /** \brief Appends the neighbours of the ranked point; returns whether it lies on the
-   * boundary.
-   */
-  bool
-  select (index_t point, std::vector<index_t>& neighbors)
-  {
-    nearest_.assign (intervals_, -1.0);
-    const Eigen::Vector3d n = points_.normals[point].cast<double>();
-    projectCandidates (point, n);
-    if (projected_.empty())
-      return true;
-    const Eigen::Vector3d x = axis();
-    const Eigen::Vector3d y = n.cross (x);
-    for (const Projected& candidate : projected_) {
-      double& nearest =
-          nearest_[interval (candidate.edge.dot (x), candidate.edge.dot (y))];
-      if (nearest < 0.0)
-        nearest = candidate.squared_distance;
-      if (candidate.squared_distance <= nearest * (1.0 + EQUIDISTANT))
-        neighbors.push_back (candidate.point);
-    }
-    return hasEmptyQuadrant();
-  }
-
-private:
-  /** \brief Of the ranked candidates those on the same sheet of the surface that have a
-   * polar angle, with their projections.
-   */
-  void
-  projectCandidates (index_t point, const Eigen::Vector3d& n)
-  {
-    projected_.clear();
-    for (const Candidate& candidate : candidates_) {
-      const Eigen::Vector3d m = points_.normals[candidate.point].cast<double>();
-      if (m.dot (n) < min_cosine_)
-        continue;
-      const Eigen::Vector3d e = points_.edge (point, candidate.point);
-      const Eigen::Vector3d projected = e - e.dot (n) * n;
-      // Straight above or below the point there is no polar angle.
-      if (projected.squaredNorm() > 1e-6 * candidate.squared_distance)
-        projected_.push_back ({candidate.squared_distance,
-                               candidate.point,
-                               projected,
-                               (m - n).squaredNorm()});
-    }
-  }
-
-  /** \brief The direction of the nearest neighbour; of equidistant ones that whose
-   * normal differs most, which turns with the cloud; of these, on a plane, the lowest
-   * index.
-   */
-  Eigen::Vector3d
-  axis () const
-  {
-    const double limit = projected_.front().squared_distance * (1.0 + EQUIDISTANT);
-    double most = 0.0;
-    for (const Projected& candidate : projected_)
-      if (candidate.squared_distance <= limit)
-        most = std::max (most, candidate.normal_difference);
-    constexpr double ROUNDING = 1e-12;
-    const Projected* chosen = nullptr;
-    for (const Projected& candidate : projected_)
-      if (candidate.squared_distance <= limit &&
-          candidate.normal_difference * (1.0 + EQUIDISTANT) + ROUNDING >= most &&
-          (chosen == nullptr || candidate.point < chosen->point))
-        chosen = &candidate;
-    return chosen->edge.normalized();
-  }
-
-  /** \brief The interval of a direction in the tangent plane: 0 is centred on the x
-   * axis, borders belong to the side nearer to it.
-   */
-  int
-  interval (double x, double y) const
-  {
-    const double angle = std::atan2 (y, x);
-    const int away = std::max (
-        0, static_cast<int> (std::ceil (std::abs (angle) / width_ - 0.5 - 1e-9)));
-    return angle >= 0.0 || away == 0 ? away : intervals_ - away;
-  }
-
-  bool
-  hasEmptyQuadrant () const
-  {
-    int run = 0;
-    for (int i = 0; i < intervals_ + per_quadrant_; ++i) {
-      run = nearest_[i % intervals_] < 0.0 ? run + 1 : 0;
-      if (run == per_quadrant_)
-        return true;
-    }
-    return false;
-  }
-
-  const OrientedPoints& points_;
-  int intervals_;
-  int per_quadrant_;
-  double width_;
-  double min_cosine_;
-  std::vector<Candidate> candidates_;
-  std::vector<Projected> projected_;
-  std::vector<double> nearest_;
-};
 
 /** \brief Candidates from a search for single points, in the order of the points. */
 struct PointwiseCandidates {
@@ -274,45 +108,77 @@ filterNeighbors (const OrientedPoints& points,
   return directed;
 }
 
-bool
-contains (const Star& star, index_t point)
+/** \brief For each edge of a graph 1 if it is known at this end alone. */
+std::vector<std::uint8_t>
+findOneWay (const SurfaceGraph& directed, unsigned threads)
 {
-  return std::find (star.begin(), star.end(), point) != star.end();
+  std::vector<std::uint8_t> one_way (directed.neighbors.size(), 0);
+  forEachBlock (
+      directed.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p)
+          for (std::size_t e = directed.offsets[p]; e < directed.offsets[p + 1]; ++e) {
+            const Star back = directed.star (directed.neighbors[e]);
+            one_way[e] =
+                std::find (back.begin(), back.end(), static_cast<index_t> (p)) ==
+                        back.end()
+                    ? 1
+                    : 0;
+          }
+      });
+  return one_way;
+}
+
+/** \brief Sorts few numbers. */
+void
+insertionSort (index_t* first, const index_t* last)
+{
+  for (index_t* end = first; end < last; ++end) {
+    const index_t number = *end;
+    index_t* at = end;
+    for (; at > first && at[-1] > number; --at)
+      *at = at[-1];
+    *at = number;
+  }
 }
 
 /** \brief "Visiting every point p, getting all its neighbors p_i and assigning p as
  * p_i's neighbor, if it was not already a neighbor" (4.1).
  */
 SurfaceGraph
-symmetrize (SurfaceGraph&& directed)
+symmetrize (SurfaceGraph&& directed, unsigned threads)
 {
-  const auto size = static_cast<index_t> (directed.size());
+  const std::size_t size = directed.size();
   SurfaceGraph graph;
   graph.boundary = std::move (directed.boundary);
   graph.spacing = std::move (directed.spacing);
   graph.mean_spacing = directed.mean_spacing;
-  graph.offsets.assign (static_cast<std::size_t> (size) + 1, 0);
-  for (index_t p = 0; p < size; ++p)
-    for (const index_t q : directed.star (p)) {
-      ++graph.offsets[p + 1];
-      if (!contains (directed.star (q), p))
-        ++graph.offsets[q + 1];
-    }
-  for (index_t p = 0; p < size; ++p)
-    graph.offsets[p + 1] += graph.offsets[p];
+  const std::vector<std::uint8_t> one_way = findOneWay (directed, threads);
+  std::vector<index_t> incoming (size, 0);
+  for (std::size_t e = 0; e < one_way.size(); ++e)
+    incoming[directed.neighbors[e]] += one_way[e];
+  graph.offsets.assign (size + 1, 0);
+  for (std::size_t p = 0; p < size; ++p)
+    graph.offsets[p + 1] = graph.offsets[p] +
+                           directed.star (static_cast<index_t> (p)).size() +
+                           static_cast<std::size_t> (incoming[p]);
 
   graph.neighbors.resize (graph.offsets.back());
-  std::vector<std::size_t> next (graph.offsets.begin(), graph.offsets.end() - 1);
-  for (index_t p = 0; p < size; ++p)
-    for (const index_t q : directed.star (p)) {
-      graph.neighbors[next[p]++] = q;
-      if (!contains (directed.star (q), p))
-        graph.neighbors[next[q]++] = p;
+  for (std::size_t p = 0; p < size; ++p)
+    for (std::size_t e = directed.offsets[p]; e < directed.offsets[p + 1]; ++e)
+      if (one_way[e] != 0) {
+        const index_t q = directed.neighbors[e];
+        graph.neighbors[graph.offsets[q + 1] -
+                        static_cast<std::size_t> (incoming[q]--)] =
+            static_cast<index_t> (p);
+      }
+  forEachBlock (size, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+      const Star own = directed.star (static_cast<index_t> (p));
+      std::copy (own.begin(), own.end(), graph.neighbors.data() + graph.offsets[p]);
+      insertionSort (graph.neighbors.data() + graph.offsets[p],
+                     graph.neighbors.data() + graph.offsets[p + 1]);
     }
-  for (index_t p = 0; p < size; ++p)
-    std::sort (graph.neighbors.begin() + static_cast<std::ptrdiff_t> (graph.offsets[p]),
-               graph.neighbors.begin() +
-                   static_cast<std::ptrdiff_t> (graph.offsets[p + 1]));
+  });
   return graph;
 }
 
@@ -323,7 +189,8 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
                    const Parameters& parameters)
 {
-  return symmetrize (filterNeighbors (points, PointwiseCandidates{search}, parameters));
+  return symmetrize (filterNeighbors (points, PointwiseCandidates{search}, parameters),
+                     parameters.threads);
 }
 
 SurfaceGraph
@@ -332,7 +199,8 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const Parameters& parameters)
 {
   return symmetrize (
-      filterNeighbors (points, BatchedCandidates{tree, parameters.k}, parameters));
+      filterNeighbors (points, BatchedCandidates{tree, parameters.k}, parameters),
+      parameters.threads);
 }
 
 SurfaceGraph

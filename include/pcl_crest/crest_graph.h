@@ -65,10 +65,18 @@ admissibleEdges (const OrientedPoints& points,
                  const std::vector<CrestProfile>& profiles,
                  std::vector<CrestEdge> edges);
 
-/** \brief The minimum spanning forest by Kruskal's algorithm (section 4.5).
+/** \brief The minimum spanning forest of the crest graphs by Kruskal's algorithm
+ * (section 4.5).
  *
  * The three weights are three buckets, so that edges are sorted within a type only, by
  * length, then by their points: the forest is unique.
+ */
+std::vector<CrestEdge>
+minimumSpanningForest (const OrientedPoints& points,
+                       const SurfaceGraph& graph,
+                       const std::vector<Membership>& membership);
+
+/** \brief The same for a choice of their edges.
  *
  * \param[in] size the number of points that the edges may name
  * \param[in] edges of the graphs, in any order
