@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "cubic_residual.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -37,10 +38,13 @@ constexpr double FARTHEST_FOOT = 1.0;
 /** In spacings: distances that are zero up to rounding, and to what little curvature
  * the faces of an edge may have. */
 constexpr double ZERO_RESIDUAL = 0.05;
+constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
 
 struct Plane {
   Vector3d center;
   Vector3d normal;
+  /** sum of the squared distances of the samples that it was fitted to */
+  double residual = 0.0;
 
   double
   height (const Vector3d& p) const
@@ -90,12 +94,13 @@ public:
       if (n.dot (points_.normals[q]) > OTHER_SIDE)
         neighbors_.push_back (
             {scale * points_.edge (sample, q), points_.normals[q].cast<double>(), q});
-    std::sort (neighbors_.begin(),
-               neighbors_.end(),
-               [] (const Neighbor& a, const Neighbor& b) {
-                 return std::make_tuple (a.position.squaredNorm(), a.point) <
-                        std::make_tuple (b.position.squaredNorm(), b.point);
-               });
+    const auto nearer = [] (const Neighbor& a, const Neighbor& b) {
+      return std::make_tuple (a.position.squaredNorm(), a.point) <
+             std::make_tuple (b.position.squaredNorm(), b.point);
+    };
+    // The batched search finds them in this order but for rounding.
+    if (!std::is_sorted (neighbors_.begin(), neighbors_.end(), nearer))
+      std::sort (neighbors_.begin(), neighbors_.end(), nearer);
     const auto same = [] (const Neighbor& a, const Neighbor& b) {
       return a.point == b.point;
     };
@@ -108,14 +113,26 @@ public:
   {
     Crease best;
     smallest_ratio_ = 1.0;
-    noise_ =
-        neighbors_.size() < NOISE_WINDOW
-            ? 0.0
-            : CERTAIN_NOISE *
-                  smoothResidual (NOISE_WINDOW, points_.normals[sample].cast<double>());
-    for (const int window : WINDOWS)
-      if (static_cast<std::size_t> (window) <= neighbors_.size())
-        fitWindow (sample, static_cast<std::size_t> (window), best);
+    noise_ = 0.0;
+    Vector3d normal = points_.normals[sample].cast<double>();
+    for (const Neighbor& neighbor : neighbors_)
+      normal += neighbor.normal;
+    CubicResidual smooth (normal.normalized(),
+                          neighbors_.empty() ? 1.0 : neighbors_.back().position.norm());
+    std::size_t added = 0;
+    for (const int window : WINDOWS) {
+      const auto count = static_cast<std::size_t> (window);
+      if (count > neighbors_.size())
+        break;
+      for (; added < count; ++added)
+        smooth.add (neighbors_[added].position);
+      const double of_cubic = smooth.meanSquare();
+      if (count == NOISE_WINDOW)
+        noise_ = CERTAIN_NOISE * of_cubic;
+      // In the frame of the edge it will be a little different.
+      if (of_cubic - (count > NOISE_WINDOW ? noise_ : 0.0) > 0.5 * LEAST_OF_CUBIC)
+        fitWindow (sample, count, of_cubic, best);
+    }
     return best;
   }
 
@@ -131,13 +148,37 @@ private:
    */
   static constexpr std::size_t NOISE_WINDOW = 30;
   static constexpr double CERTAIN_NOISE = 0.4;
+  /** What a cubic leaves, without the noise, where two planes leave LARGEST_RATIO. */
+  static constexpr double LEAST_OF_CUBIC = ZERO * (1.0 / LARGEST_RATIO - 1.0);
+  /** Three for each, and the choice between them. */
+  static constexpr std::size_t PLANE_PARAMETERS = 7;
 
+  /** \brief The mean squared distance from two planes up to which they are better than
+   * a cubic.
+   */
+  double
+  largestResidual (std::size_t count, double of_cubic) const
+  {
+    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double by_ratio =
+        LARGEST_RATIO * (std::max (0.0, of_cubic - noise) + ZERO) - ZERO + noise;
+    const double by_evidence =
+        std::exp (-LEAST_EVIDENCE / static_cast<double> (count)) * (of_cubic + ZERO) -
+        ZERO;
+    return std::min ({LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio, by_evidence});
+  }
+
+  /** \param[in] of_cubic about the mean squared distance from a cubic */
   void
-  fitWindow (index_t sample, std::size_t count, Crease& best)
+  fitWindow (index_t sample, std::size_t count, double of_cubic, Crease& best)
   {
     std::array<Plane, 2> planes;
     bool convex = true;
-    if (!splitByNormals (count, planes) || !fitPlanes (count, planes, convex))
+    // The planes of the first round are not the best ones yet.
+    constexpr double FIRST_ROUND = 6.0;
+    const double largest = FIRST_ROUND * largestResidual (count, of_cubic) *
+                           static_cast<double> (count - PLANE_PARAMETERS);
+    if (!splitByNormals (count, planes) || !fitPlanes (count, largest, planes, convex))
       return;
     const Vector3d& n = planes[0].normal;
     const Vector3d& m = planes[1].normal;
@@ -159,23 +200,19 @@ private:
       const Vector3d& p = neighbors_[i].position;
       sum += std::pow (planes[side_[i] > 0 ? 0 : 1].height (p), 2);
     }
-    // Six parameters of the planes and the choice between them.
-    const double of_planes = sum / static_cast<double> (count - 7);
+    const double of_planes = sum / static_cast<double> (count - PLANE_PARAMETERS);
     if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
       return;
     const Vector3d normal = (n + m).normalized();
     if (seesThirdFace (count, normal))
       return;
-    constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
-    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
-    const double of_cubic = smoothResidual (count, normal);
-    const double noisy_ratio = (of_planes + ZERO) / (of_cubic + ZERO);
-    const double evidence = -static_cast<double> (count) * std::log (noisy_ratio);
-    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
-                         (std::max (0.0, of_cubic - noise) + ZERO);
-    if (ratio > LARGEST_RATIO || noisy_ratio > smallest_ratio_ ||
-        evidence < LEAST_EVIDENCE)
+    const double of_smooth = smoothResidual (count, normal);
+    const double noisy_ratio = (of_planes + ZERO) / (of_smooth + ZERO);
+    if (of_planes > largestResidual (count, of_smooth) || noisy_ratio > smallest_ratio_)
       return;
+    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
+                         (std::max (0.0, of_smooth - noise) + ZERO);
     smallest_ratio_ = noisy_ratio;
     best.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
     best.foot =
@@ -217,6 +254,9 @@ private:
     for (std::size_t i = 0; i < count; ++i)
       mean += neighbors_[i].normal;
     mean /= static_cast<double> (count);
+    // The sum of the variances along all axes.
+    if (1.0 - mean.squaredNorm() < LEAST_VARIANCE)
+      return false;
     Matrix3d covariance = Matrix3d::Zero();
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3d e = neighbors_[i].normal - mean;
@@ -238,15 +278,21 @@ private:
 
   /** \brief Fits the two planes to their parts and the parts to the planes, in turn.
    * Returns false if a part is too small, or no plane.
+   * \param[in] largest residual of both to go on with after the first round
    */
   bool
-  fitPlanes (std::size_t count, std::array<Plane, 2>& planes, bool& convex)
+  fitPlanes (std::size_t count,
+             double largest,
+             std::array<Plane, 2>& planes,
+             bool& convex)
   {
     constexpr int ROUNDS = 8;
     constexpr double LEAST_PART = 0.18;
     constexpr std::size_t LEAST_COUNT = 5;
     for (int round = 0; round < ROUNDS; ++round) {
       if (!fitPlane (count, 1, planes[0]) || !fitPlane (count, -1, planes[1]))
+        return false;
+      if (round == 0 && planes[0].residual + planes[1].residual > largest)
         return false;
       const Vector3d apart = planes[0].center - planes[1].center;
       convex = apart.dot (planes[0].normal - planes[1].normal) > 0.0;
@@ -295,6 +341,7 @@ private:
     solver.computeDirect (squares - plane.center * sum.transpose());
     if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
       return false;
+    plane.residual = solver.eigenvalues()[0];
     const Vector3d n = solver.eigenvectors().col (0);
     plane.normal = n.dot (plane.normal) < 0.0 ? Vector3d (-n) : n;
     return true;
@@ -306,34 +353,10 @@ private:
   double
   smoothResidual (std::size_t count, const Vector3d& normal) const
   {
-    constexpr int TERMS = 10;
-    using Coefficients = Eigen::Matrix<double, TERMS, 1>;
-    using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
-    const Vector3d x = normal.unitOrthogonal();
-    const Vector3d y = normal.cross (x);
-    const double scale = 1.0 / neighbors_[count - 1].position.norm();
-    NormalMatrix matrix = NormalMatrix::Zero();
-    Coefficients right_side = Coefficients::Zero();
-    double squares = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3d& p = neighbors_[i].position;
-      const double u = scale * p.dot (x);
-      const double v = scale * p.dot (y);
-      const double z = p.dot (normal);
-      const double row[TERMS] = {
-          1.0, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
-      for (int a = 0; a < TERMS; ++a) {
-        right_side[a] += row[a] * z;
-        for (int b = 0; b <= a; ++b)
-          matrix (a, b) += row[a] * row[b];
-      }
-      squares += z * z;
-    }
-    matrix.diagonal().array() += 1e-9 * static_cast<double> (count);
-    const Eigen::LLT<NormalMatrix, Eigen::Lower> solver (matrix);
-    const Coefficients c = solver.solve (right_side);
-    return std::max (0.0, squares - c.dot (right_side)) /
-           static_cast<double> (count - TERMS);
+    CubicResidual smooth (normal, neighbors_[count - 1].position.norm());
+    for (std::size_t i = 0; i < count; ++i)
+      smooth.add (neighbors_[i].position);
+    return smooth.meanSquare();
   }
 
   const OrientedPoints& points_;
