@@ -44,7 +44,7 @@ wayTo (const CreaseNode& from, const Eigen::Vector3d& place)
 std::vector<CreaseNode>
 agree (const OrientedPoints& points,
        const std::vector<CreaseNode>& nodes,
-       unsigned threads)
+       const Workers& workers)
 {
   // In spacings.
   constexpr double REACH = 2.0;
@@ -59,7 +59,7 @@ agree (const OrientedPoints& points,
   std::vector<CreaseNode> moved = nodes;
   std::vector<std::uint8_t> agreed (nodes.size(), 0);
   forEachBlock (
-      nodes.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      nodes.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         std::vector<int> around;
         for (std::size_t i = first; i < last; ++i) {
           const CreaseNode& own = nodes[i];
@@ -242,7 +242,7 @@ CreaseChains
 chainCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const std::vector<Crease>& creases,
-              unsigned threads)
+              const Workers& workers)
 {
   std::vector<CreaseNode> nodes;
   for (std::size_t i = 0; i < creases.size(); ++i)
@@ -257,7 +257,7 @@ chainCreases (const OrientedPoints& points,
                         graph.spacing[i]});
   constexpr int PASSES = 2;
   for (int pass = 0; pass < PASSES; ++pass)
-    nodes = agree (points, nodes, threads);
+    nodes = agree (points, nodes, workers);
   CreaseChains chains;
   chains.nodes = thin (points, nodes);
   chains.next = link (points, chains.nodes);

@@ -376,11 +376,11 @@ std::vector<Crease>
 findCreases (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
-             unsigned threads)
+             const Workers& workers)
 {
   std::vector<Crease> creases (points.size());
   forEachBlock (
-      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         CreaseFitter fitter (points, graph);
         std::vector<index_t> found;
         for (std::size_t i = first; i < last; ++i) {

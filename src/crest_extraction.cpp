@@ -18,6 +18,21 @@ namespace crest {
 
 namespace {
 
+/** The parts of all work that are done when a stage ends. */
+constexpr double PACKED = 0.01;
+constexpr double CONNECTED = 0.15;
+constexpr double CREASES_FOUND = 0.5;
+constexpr double CURVED = 0.9;
+constexpr double CLASSIFIED = 0.93;
+constexpr double EACH_TYPE = 0.03;
+
+void
+beginStage (Progress* progress, const std::string& stage, double end)
+{
+  if (progress != nullptr)
+    progress->beginStage (stage, end);
+}
+
 /** \brief Sections 4.4 to 4.7 for one type, as in the paper. */
 std::vector<CrestLine>
 linesOfPaper (const OrientedPoints& points,
@@ -123,21 +138,28 @@ analyzeCurvature (const OrientedPoints& points,
                   const MakeSearch& wide_search,
                   const Parameters& parameters,
                   SurfaceShape& shape,
-                  Stopwatch& watch)
+                  Stopwatch& watch,
+                  Progress* progress)
 {
+  const Workers workers (parameters.threads, progress);
+  if (parameters.preset == Preset::AUTO)
+    beginStage (progress, "creases", CREASES_FOUND);
+  else
+    beginStage (progress, "curvature", CURVED);
   if (parameters.preset == Preset::PAPER)
-    shape.curvature = estimateCurvature (points, shape.graph, parameters.threads);
+    shape.curvature = estimateCurvature (points, shape.graph, workers);
   else {
     const NeighborSearch search = wide_search();
     shape.sharp_lines =
         traceCreases (points,
                       shape.graph,
                       search,
-                      findCreases (points, shape.graph, search, parameters.threads),
-                      parameters.threads);
+                      findCreases (points, shape.graph, search, workers),
+                      workers);
     watch.stageDone ("creases");
+    beginStage (progress, "curvature", CURVED);
     shape.profiles =
-        profileSharpCrests (points, shape.graph, shape.sharp_lines, parameters.threads);
+        profileSharpCrests (points, shape.graph, shape.sharp_lines, workers);
     for (const CrestProfile& profile : shape.profiles)
       shape.curvature.push_back (profile.curvature);
   }
@@ -147,50 +169,59 @@ analyzeCurvature (const OrientedPoints& points,
 } // namespace
 
 SurfaceShape
-analyzeSurface (const OrientedPoints& points, const Parameters& parameters)
+analyzeSurface (const OrientedPoints& points,
+                const Parameters& parameters,
+                Progress* progress)
 {
   SurfaceShape shape;
   Stopwatch watch (shape.times);
+  beginStage (progress, "search tree", PACKED);
   if (!parameters.batched_search || parameters.radius > 0.0) {
     const NeighborSearch search = kdTreeSearch (points, parameters);
     watch.stageDone ("search tree");
-    SurfaceShape rest = analyzeSurface (points, search, parameters);
+    SurfaceShape rest = analyzeSurface (points, search, parameters, progress);
     rest.times.insert (rest.times.begin(), shape.times.begin(), shape.times.end());
     return rest;
   }
   const std::shared_ptr<const PointTree> tree =
       batchedTree (points, parameters.threads);
   watch.stageDone ("search tree");
-  shape.graph = buildSurfaceGraph (points, *tree, parameters);
+  beginStage (progress, "surface graph", CONNECTED);
+  shape.graph = buildSurfaceGraph (points, *tree, parameters, progress);
   watch.stageDone ("surface graph");
   const auto wide_search = [&] { return batchedSearch (tree, CREASE_NEIGHBORS); };
-  analyzeCurvature (points, wide_search, parameters, shape, watch);
+  analyzeCurvature (points, wide_search, parameters, shape, watch, progress);
   return shape;
 }
 
 SurfaceShape
 analyzeSurface (const OrientedPoints& points,
                 const NeighborSearch& search,
-                const Parameters& parameters)
+                const Parameters& parameters,
+                Progress* progress)
 {
   SurfaceShape shape;
   Stopwatch watch (shape.times);
-  shape.graph = buildSurfaceGraph (points, search, parameters);
+  beginStage (progress, "surface graph", CONNECTED);
+  shape.graph = buildSurfaceGraph (points, search, parameters, progress);
   watch.stageDone ("surface graph");
   const auto wide_search = [&points] {
     Parameters wide;
     wide.k = CREASE_NEIGHBORS;
     return kdTreeSearch (points, wide);
   };
-  analyzeCurvature (points, wide_search, parameters, shape, watch);
+  analyzeCurvature (points, wide_search, parameters, shape, watch, progress);
   return shape;
 }
 
 Crests
 extractCrests (const OrientedPoints& points,
                const SurfaceShape& shape,
-               const Parameters& parameters)
+               const Parameters& parameters,
+               Progress* progress)
 {
+  const Workers workers (parameters.threads, progress);
+  beginStage (progress, "crest points", CLASSIFIED);
   Crests crests;
   Stopwatch watch (crests.times);
   const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {

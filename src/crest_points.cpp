@@ -133,11 +133,11 @@ classifyCrestPoints (const OrientedPoints& points,
                      const SurfaceGraph& graph,
                      const std::vector<PrincipalCurvature>& curvature,
                      const PerType<double>& maximality,
-                     unsigned threads)
+                     const Workers& workers)
 {
   std::vector<CrestType> types (points.size(), CrestType::NONE);
   forEachBlock (
-      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const auto point = static_cast<index_t> (i);
           types[i] =

@@ -171,7 +171,7 @@ neededNodes (const PyramidLevel& level,
 std::vector<CrestProfile>
 profileCrests (const OrientedPoints& points,
                const SurfaceGraph& graph,
-               unsigned threads)
+               const Workers& workers)
 {
   std::vector<CrestProfile> profiles (points.size());
   std::vector<std::uint8_t> active (points.size(), 1);
@@ -179,13 +179,13 @@ profileCrests (const OrientedPoints& points,
   int at_level = 0;
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
     for (; at_level < SCALES[scale].level; ++at_level)
-      level = coarserLevel (level, threads);
+      level = coarserLevel (level, workers);
     const int nodes = SCALES[scale].nodes;
     const bool samples = at_level == 0;
     // Half a window, and one more ring for blending.
     const int rings = ringsOfWindow (samples ? 1.0 : ELONGATION) + 1;
     const std::vector<ScaleFit> fits =
-        fitAtScale (level, nodes, neededNodes (level, active, rings), threads);
+        fitAtScale (level, nodes, neededNodes (level, active, rings), workers);
 
     const auto readAll = [&] (bool elongated) {
       const std::vector<ProfilePolynomial> polynomials =
@@ -194,11 +194,11 @@ profileCrests (const OrientedPoints& points,
                           neededNodes (level, active, 1),
                           nodes,
                           elongated ? ELONGATION : 1.0,
-                          threads);
+                          workers);
       const ScaleProfiles from{
           scale, profileErrors (nodes, elongated), level, fits, polynomials};
       forEachBlock (points.size(),
-                    threads,
+                    workers,
                     [&] (std::size_t, std::size_t first, std::size_t last) {
                       for (std::size_t i = first; i < last; ++i)
                         if (active[i] != 0 && !readProfile (points,

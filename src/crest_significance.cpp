@@ -262,13 +262,13 @@ gatherEvidence (const OrientedPoints& points,
                 const SurfaceGraph& graph,
                 const std::vector<CrestProfile>& profiles,
                 const std::vector<CrestType>& crest_points,
-                unsigned threads)
+                const Workers& workers)
 {
   CrestEvidence evidence{
       graph, profiles, crest_points, std::vector<float> (points.size(), 0.0F)};
   const ProminenceWalk walk (points, graph, profiles);
   forEachBlock (
-      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
           if (crest_points[i] != CrestType::NONE)
             evidence.prominence[i] = walk.prominence (static_cast<index_t> (i));

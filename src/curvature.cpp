@@ -132,11 +132,11 @@ fitQuadric (const OrientedPoints& points, index_t point, const Star& star)
 std::vector<PrincipalCurvature>
 estimateCurvature (const OrientedPoints& points,
                    const SurfaceGraph& graph,
-                   unsigned threads)
+                   const Workers& workers)
 {
   std::vector<PrincipalCurvature> curvature (points.size(), UNDETERMINED);
   forEachBlock (
-      points.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const auto point = static_cast<index_t> (i);
           curvature[i] = fitQuadric (points, point, graph.star (point));

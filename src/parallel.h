@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/progress.h>
+
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 
 namespace pcl {
@@ -30,14 +33,24 @@ blockCount (std::size_t size)
 
 template <typename Work>
 void
-forEachBlock (std::size_t size, unsigned threads, const Work& work)
+forEachBlock (std::size_t size, const Workers& workers, const Work& work)
 {
   const auto blocks = static_cast<std::ptrdiff_t> (blockCount (size));
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threadCount(threads))
+  Progress* const progress = workers.progress;
+  std::atomic<std::ptrdiff_t> finished{0};
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threadCount(workers.threads))
   for (std::ptrdiff_t block = 0; block < blocks; ++block) {
+    if (progress != nullptr && progress->isCancelled())
+      continue;
     const std::size_t first = static_cast<std::size_t> (block) * BLOCK_SIZE;
     work (static_cast<std::size_t> (block), first, std::min (first + BLOCK_SIZE, size));
+    ++finished;
+    // The first of the threads is the one that started the loop.
+    if (progress != nullptr && omp_get_thread_num() == 0)
+      progress->advance (static_cast<double> (finished) / static_cast<double> (blocks));
   }
+  if (progress != nullptr)
+    progress->check();
 }
 
 } // namespace crest

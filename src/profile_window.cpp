@@ -130,11 +130,11 @@ fitPolynomials (const PyramidLevel& level,
                 const std::vector<std::uint8_t>& needed,
                 int nodes_of_fit,
                 double elongation,
-                unsigned threads)
+                const Workers& workers)
 {
   std::vector<ProfilePolynomial> polynomials (level.size());
   forEachBlock (
-      level.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         NodeWalk walk (level.graph);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0 && fits[i].valid) {

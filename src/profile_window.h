@@ -72,7 +72,7 @@ fitPolynomials (const PyramidLevel& level,
                 const std::vector<std::uint8_t>& needed,
                 int nodes_of_fit,
                 double elongation,
-                unsigned threads);
+                const Workers& workers);
 
 /** \brief How many rings of nodes a window reaches. */
 int

@@ -62,13 +62,13 @@ mayMerge (const PyramidLevel& level, index_t a, index_t b)
 enum class Role : std::uint8_t { FREE, CENTRE, COVERED };
 
 std::vector<Role>
-chooseCentres (const PyramidLevel& fine, unsigned threads)
+chooseCentres (const PyramidLevel& fine, const Workers& workers)
 {
   const std::size_t size = fine.size();
   std::vector<std::uint64_t> priorities (size);
   const auto forEachNode = [&] (const auto& work) {
     forEachBlock (
-        size, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+        size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i)
             work (static_cast<index_t> (i));
         });
@@ -186,9 +186,9 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
 }
 
 PyramidLevel
-coarserLevel (const PyramidLevel& fine, unsigned threads)
+coarserLevel (const PyramidLevel& fine, const Workers& workers)
 {
-  const std::vector<Role> roles = chooseCentres (fine, threads);
+  const std::vector<Role> roles = chooseCentres (fine, workers);
   std::vector<index_t> coarse_of (fine.size(), OrientedPoints::INVALID);
   index_t size = 0;
   for (std::size_t i = 0; i < fine.size(); ++i)

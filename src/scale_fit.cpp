@@ -294,13 +294,13 @@ private:
  * alone, with some ten degrees of freedom, is too uncertain for a test.
  */
 void
-poolNoise (const PyramidLevel& level, std::vector<ScaleFit>& fits, unsigned threads)
+poolNoise (const PyramidLevel& level, std::vector<ScaleFit>& fits, const Workers& workers)
 {
   std::vector<double> variance (fits.size());
   for (std::size_t i = 0; i < fits.size(); ++i)
     variance[i] = fits[i].noise * fits[i].noise;
   forEachBlock (
-      fits.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      fits.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           ScaleFit& fit = fits[i];
           if (!fit.valid || !(fit.noise > 0.0))
@@ -325,17 +325,17 @@ std::vector<ScaleFit>
 fitAtScale (const PyramidLevel& level,
             int nearest,
             const std::vector<std::uint8_t>& needed,
-            unsigned threads)
+            const Workers& workers)
 {
   std::vector<ScaleFit> fits (level.size());
   forEachBlock (
-      level.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         CubicFitter fitter (level, nearest);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0)
             fits[i] = fitter.fit (static_cast<index_t> (i));
       });
-  poolNoise (level, fits, threads);
+  poolNoise (level, fits, workers);
   return fits;
 }
 

@@ -61,10 +61,10 @@ std::vector<CrestProfile>
 profileSharpCrests (const OrientedPoints& points,
                     const SurfaceGraph& graph,
                     const SharpLines& lines,
-                    unsigned threads)
+                    const Workers& workers)
 {
   std::vector<CrestProfile> profiles =
-      profileCrests (points, withoutPoints (graph, lines.blocked), threads);
+      profileCrests (points, withoutPoints (graph, lines.blocked), workers);
   // Narrow strips between lines have too few samples left for a profile, too.
   std::vector<std::uint8_t> needed = lines.blocked;
   for (std::size_t i = 0; i < profiles.size(); ++i)
@@ -72,7 +72,7 @@ profileSharpCrests (const OrientedPoints& points,
       needed[i] = 1;
   constexpr int FINEST_SCALE_NODES = 28;
   const std::vector<ScaleFit> fits =
-      fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, threads);
+      fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, workers);
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (needed[i] != 0)
       profiles[i] = profileOf (fits[i]);

@@ -61,7 +61,8 @@ template <typename Candidates>
 SurfaceGraph
 filterNeighbors (const OrientedPoints& points,
                  const Candidates& candidates,
-                 const Parameters& parameters)
+                 const Parameters& parameters,
+                 const Workers& workers)
 {
   const std::size_t size = points.size();
   SurfaceGraph directed;
@@ -71,7 +72,7 @@ filterNeighbors (const OrientedPoints& points,
   std::vector<std::vector<index_t>> blocks (blockCount (size));
   forEachBlock (
       size,
-      parameters.threads,
+      workers,
       [&] (std::size_t block, std::size_t first, std::size_t last) {
         QuadrantFilter filter (points, parameters);
         std::vector<index_t>& neighbors = blocks[block];
@@ -93,7 +94,7 @@ filterNeighbors (const OrientedPoints& points,
   directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
   directed.neighbors.resize (directed.offsets.back());
   forEachBlock (size,
-                parameters.threads,
+                workers,
                 [&] (std::size_t block, std::size_t first, std::size_t last) {
                   const index_t* from = blocks[block].data();
                   for (std::size_t i = first; i < last; ++i) {
@@ -110,11 +111,11 @@ filterNeighbors (const OrientedPoints& points,
 
 /** \brief For each edge of a graph 1 if it is known at this end alone. */
 std::vector<std::uint8_t>
-findOneWay (const SurfaceGraph& directed, unsigned threads)
+findOneWay (const SurfaceGraph& directed, const Workers& workers)
 {
   std::vector<std::uint8_t> one_way (directed.neighbors.size(), 0);
   forEachBlock (
-      directed.size(), threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+      directed.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p)
           for (std::size_t e = directed.offsets[p]; e < directed.offsets[p + 1]; ++e) {
             const Star back = directed.star (directed.neighbors[e]);
@@ -145,14 +146,14 @@ insertionSort (index_t* first, const index_t* last)
  * p_i's neighbor, if it was not already a neighbor" (4.1).
  */
 SurfaceGraph
-symmetrize (SurfaceGraph&& directed, unsigned threads)
+symmetrize (SurfaceGraph&& directed, const Workers& workers)
 {
   const std::size_t size = directed.size();
   SurfaceGraph graph;
   graph.boundary = std::move (directed.boundary);
   graph.spacing = std::move (directed.spacing);
   graph.mean_spacing = directed.mean_spacing;
-  const std::vector<std::uint8_t> one_way = findOneWay (directed, threads);
+  const std::vector<std::uint8_t> one_way = findOneWay (directed, workers);
   std::vector<index_t> incoming (size, 0);
   for (std::size_t e = 0; e < one_way.size(); ++e)
     incoming[directed.neighbors[e]] += one_way[e];
@@ -171,7 +172,7 @@ symmetrize (SurfaceGraph&& directed, unsigned threads)
                         static_cast<std::size_t> (incoming[q]--)] =
             static_cast<index_t> (p);
       }
-  forEachBlock (size, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+  forEachBlock (size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p) {
       const Star own = directed.star (static_cast<index_t> (p));
       std::copy (own.begin(), own.end(), graph.neighbors.data() + graph.offsets[p]);
@@ -187,20 +188,27 @@ symmetrize (SurfaceGraph&& directed, unsigned threads)
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
-                   const Parameters& parameters)
+                   const Parameters& parameters,
+                   Progress* progress)
 {
-  return symmetrize (filterNeighbors (points, PointwiseCandidates{search}, parameters),
-                     parameters.threads);
+  const Workers workers (parameters.threads, progress);
+  return symmetrize (
+      filterNeighbors (points, PointwiseCandidates{search}, parameters, workers),
+      workers);
 }
 
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
                    const PointTree& tree,
-                   const Parameters& parameters)
+                   const Parameters& parameters,
+                   Progress* progress)
 {
-  return symmetrize (
-      filterNeighbors (points, BatchedCandidates{tree, parameters.k}, parameters),
-      parameters.threads);
+  const Workers workers (parameters.threads, progress);
+  return symmetrize (filterNeighbors (points,
+                                      BatchedCandidates{tree, parameters.k},
+                                      parameters,
+                                      workers),
+                     workers);
 }
 
 SurfaceGraph

@@ -42,14 +42,14 @@ struct SharpLines {
  *
  * \param[in] points, graph, search what the creases were found with
  * \param[in] creases of all samples
- * \param[in] threads 0 for all processors
+ * \param[in] workers a number of threads, 0 for all processors
  */
 SharpLines
 traceCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const NeighborSearch& search,
               const std::vector<Crease>& creases,
-              unsigned threads);
+              const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

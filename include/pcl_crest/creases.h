@@ -40,14 +40,14 @@ constexpr int CREASE_NEIGHBORS = 96;
  *
  * \param[in] points, graph the samples; spacings are taken from the graph
  * \param[in] search finds CREASE_NEIGHBORS neighbours
- * \param[in] threads 0 for all processors
+ * \param[in] workers a number of threads, 0 for all processors
  * \return for each sample its crease
  */
 std::vector<Crease>
 findCreases (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
-             unsigned threads);
+             const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

@@ -35,21 +35,27 @@ struct Crests {
   std::vector<StageTime> times;
 };
 
-/** \brief Sections 4.1 and 4.2, with the search that the parameters name. */
+/** \brief Sections 4.1 and 4.2, with the search that the parameters name.
+ * \param[in] progress to tell how far it is, if not null; so in the others
+ */
 SurfaceShape
-analyzeSurface (const OrientedPoints& points, const Parameters& parameters);
+analyzeSurface (const OrientedPoints& points,
+                const Parameters& parameters,
+                Progress* progress = nullptr);
 
 /** \brief The same with any search in the place of those of the parameters. */
 SurfaceShape
 analyzeSurface (const OrientedPoints& points,
                 const NeighborSearch& search,
-                const Parameters& parameters);
+                const Parameters& parameters,
+                Progress* progress = nullptr);
 
 /** \brief Sections 4.3 to 4.7. */
 Crests
 extractCrests (const OrientedPoints& points,
                const SurfaceShape& shape,
-               const Parameters& parameters);
+               const Parameters& parameters,
+               Progress* progress = nullptr);
 
 /** \brief The label of each packed point. A point joined by growth that lies on lines
  * of both types belongs to the larger one, of equals to the longer.

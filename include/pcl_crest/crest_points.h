@@ -29,14 +29,14 @@ absoluteMaximality (const OrientedPoints& points, const Parameters& parameters);
  *
  * \param[in] points, graph, curvature the results of the stages before
  * \param[in] maximality M for ridges and for valleys, in 1 / (the cloud's unit)^2
- * \param[in] threads 0 for all processors
+ * \param[in] workers a number of threads, 0 for all processors
  */
 std::vector<CrestType>
 classifyCrestPoints (const OrientedPoints& points,
                      const SurfaceGraph& graph,
                      const std::vector<PrincipalCurvature>& curvature,
                      const PerType<double>& maximality,
-                     unsigned threads);
+                     const Workers& workers);
 
 /** \brief Finds the points whose profile tells that they are on a crest, for the auto
  * preset: |k1| falls off to both sides by more than `confidence` standard errors, has

@@ -64,7 +64,7 @@ struct CrestProfile {
 std::vector<CrestProfile>
 profileCrests (const OrientedPoints& points,
                const SurfaceGraph& graph,
-               unsigned threads);
+               const Workers& workers);
 
 /** \brief How far the surface turns across a crest of sharpness q, in degrees, at most
  * 180: the angle between the normals where the profile's curvature has dropped off,

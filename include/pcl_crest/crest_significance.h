@@ -24,7 +24,7 @@ gatherEvidence (const OrientedPoints& points,
                 const SurfaceGraph& graph,
                 const std::vector<CrestProfile>& profiles,
                 const std::vector<CrestType>& crest_points,
-                unsigned threads);
+                const Workers& workers);
 
 /** \brief Removes the branches whose points do not bear them out: few of them are crest
  * points, or the surface turns across them by less than `angle` degrees, or they are

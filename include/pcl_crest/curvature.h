@@ -37,7 +37,7 @@ fitQuadric (const OrientedPoints& points, index_t point, const Star& star);
 std::vector<PrincipalCurvature>
 estimateCurvature (const OrientedPoints& points,
                    const SurfaceGraph& graph,
-                   unsigned threads);
+                   const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

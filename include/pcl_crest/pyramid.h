@@ -37,12 +37,12 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph);
  * Centres are found in a fixed number of rounds. In each, those of the nodes that are
  * still free become centres whose star is more symmetric than that of all their free
  * neighbours, and their neighbours are free no more. This depends on nothing but the
- * surroundings of a node: not on the order of the points, their number, or threads, and
+ * surroundings of a node: not on the order of the points, their number, or workers, and
  * not on scale or (but for ties) rotation. What is free after the last round is a node
  * of its own.
  */
 PyramidLevel
-coarserLevel (const PyramidLevel& fine, unsigned threads);
+coarserLevel (const PyramidLevel& fine, const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

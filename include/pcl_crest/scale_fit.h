@@ -40,13 +40,13 @@ constexpr float SAME_SHEET_COSINE = 0.2F;
  * \param[in] level the nodes
  * \param[in] nearest how many nodes to fit, at least 14; fewer than 14 found, or all on
  * a line, is invalid \param[in] needed for each node whether it is to be fitted
- * \param[in] threads 0 for all processors
+ * \param[in] workers a number of threads, 0 for all processors
  */
 std::vector<ScaleFit>
 fitAtScale (const PyramidLevel& level,
             int nearest,
             const std::vector<std::uint8_t>& needed,
-            unsigned threads);
+            const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

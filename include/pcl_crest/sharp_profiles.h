@@ -21,7 +21,7 @@ std::vector<CrestProfile>
 profileSharpCrests (const OrientedPoints& points,
                     const SurfaceGraph& graph,
                     const SharpLines& lines,
-                    unsigned threads);
+                    const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_crest/neighbor_search.h>
+#include <pcl_crest/progress.h>
 
 namespace pcl {
 namespace crest {
@@ -71,11 +72,13 @@ struct SurfaceGraph {
  * \param[in] points the samples
  * \param[in] search finds the candidates
  * \param[in] parameters points_per_quadrant, max_normal_angle and threads are used
+ * \param[in] progress to tell how far it is, if not null
  */
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
                    const NeighborSearch& search,
-                   const Parameters& parameters);
+                   const Parameters& parameters,
+                   Progress* progress = nullptr);
 
 /** \brief The same graph with the candidates that the batched search finds.
  * \param[in] tree from batchedTree over these points
@@ -84,7 +87,8 @@ buildSurfaceGraph (const OrientedPoints& points,
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
                    const PointTree& tree,
-                   const Parameters& parameters);
+                   const Parameters& parameters,
+                   Progress* progress = nullptr);
 
 /** \brief The graph without the edges of some points, which stay as points alone.
  * \param[in] removed 1 for these, 0 for the others
