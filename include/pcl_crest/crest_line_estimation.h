@@ -153,6 +153,13 @@ public:
     parameters_.min_size.valley = points;
   }
 
+  /** \brief Set the least strength of lines (see crest::Parameters::min_strength). */
+  void
+  setMinStrength (double strength)
+  {
+    parameters_.min_strength = strength;
+  }
+
   /** \brief Set the size in points up to which branches are pruned (PAPER). */
   void
   setPruneSize (int points)

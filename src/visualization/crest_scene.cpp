@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellPicker.h>
 #include <vtkCommand.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
@@ -92,6 +93,7 @@ CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
   cloud_ = cloud;
   const SurfaceSplats splats = makeSurfaceSplats (*cloud);
   lift_ = splats.radius;
+  drawn_ = splats.points;
   vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())
       ->SetInputData (splats.polygons);
   setLines ({});
@@ -109,6 +111,53 @@ CrestScene::setLines (const std::vector<CrestLine>& lines,
 {
   vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())
       ->SetInputData (makeLinePolyData (line_cloud, lines));
+  line_of_cell_.clear();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    line_of_cell_.insert (
+        line_of_cell_.end(), lines[i].polylines.size(), static_cast<int> (i));
+}
+
+void
+CrestScene::setColors (const std::vector<Color>& colors)
+{
+  vtkPolyData* const polygons =
+      vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())->GetInput();
+  if (colors.empty()) {
+    polygons->GetCellData()->SetScalars (nullptr);
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetNumberOfComponents (3);
+  for (const index_t point : drawn_)
+    scalars->InsertNextTypedTuple (colors[point].data());
+  polygons->GetCellData()->SetScalars (scalars);
+}
+
+void
+CrestScene::setSurfaceVisible (bool visible)
+{
+  surface_->SetVisibility (visible);
+}
+
+bool
+CrestScene::isSurfaceVisible() const
+{
+  return surface_->GetVisibility() != 0;
+}
+
+int
+CrestScene::pickLine (int x, int y)
+{
+  constexpr double PART_OF_WINDOW = 0.005;
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance (PART_OF_WINDOW);
+  picker->PickFromListOn();
+  picker->AddPickList (lines_);
+  picker->Pick (x, y, 0.0, renderer_);
+  const vtkIdType cell = picker->GetCellId();
+  return cell < 0 || static_cast<std::size_t> (cell) >= line_of_cell_.size()
+             ? -1
+             : line_of_cell_[cell];
 }
 
 void

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/impl/cloud_results.hpp>
 #include <pcl_crest/impl/neighbor_search.hpp>
 
 #include <pcl/common/io.h>
@@ -11,7 +12,6 @@
 #include <pcl/conversions.h>
 
 #include <atomic>
-#include <limits>
 
 namespace pcl {
 
@@ -146,36 +146,20 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
 
   const std::vector<crest::Label> labels =
       crest::labelPoints (shape, crests, parameters);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures = result_.curvatures;
   curvatures.header = output.header;
   for (std::size_t i = 0; i < packed_indices.size(); ++i) {
-    const index_t packed = packed_indices[i];
     pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
-    output[i].label = packed < 0 ? crest::LABEL_INVALID : labels[packed];
-    pcl::PrincipalCurvatures curvature{nan, nan, nan, nan, nan};
-    if (output[i].label != crest::LABEL_INVALID) {
-      const crest::PrincipalCurvature& c = shape.curvature[packed];
-      curvature = {c.t1.x(), c.t1.y(), c.t1.z(), c.k1, c.k2};
-    }
-    else
+    output[i].label = crest::labelAt (labels, packed_indices[i]);
+    curvatures.push_back (crest::curvatureAt (shape, packed_indices[i]));
+    if (output[i].label == crest::LABEL_INVALID)
       curvatures.is_dense = false;
-    curvatures.push_back (curvature);
   }
   curvatures.width = output.width;
   curvatures.height = output.height;
-  result_.lines = std::move (crests.lines);
-  for (crest::CrestLine& line : result_.lines)
-    for (std::vector<index_t>& polyline : line.polylines)
-      for (index_t& point : polyline)
-        point = points.cloud_index[point];
-  const auto line_cloud = pcl::make_shared<PointCloudIn> (*surface_);
-  for (const crest::CrestLine& line : result_.lines)
-    for (const std::vector<index_t>& polyline : line.polylines)
-      for (const index_t point : polyline)
-        (*line_cloud)[point].getVector3fMap() =
-            crests.positions[points.packed_index[point]];
-  result_.line_cloud = line_cloud;
+  result_.lines = crest::linesOfCloud (points, std::move (crests.lines));
+  result_.line_cloud =
+      crest::cloudOfLines (*surface_, points, result_.lines, crests.positions);
   result_.complete = true;
   result_.statistics = {
       shape.graph.mean_spacing, points.extent, std::move (crests.sizes), times};
