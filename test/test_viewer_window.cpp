@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkSliderRepresentation2D.h>
 
 #include "../tools/command_line.h"
@@ -184,7 +185,8 @@ TEST_F (Window, KeysShowAndHide)
     EXPECT_GT (count (picture(), isColored), before + 100) << mode;
   }
   press ('1');
-  EXPECT_EQ (count (picture(), isColored), before);
+  // The text at the bottom, which changes, runs over the ends of lines.
+  EXPECT_NEAR (count (picture(), isColored), before, 50);
 }
 
 TEST_F (Window, ChartHasBarsOfBothTypes)
@@ -227,18 +229,60 @@ TEST_F (Window, ClickTellsOfALine)
   EXPECT_EQ (click (0.5).find ("valley of "), 0U) << window_->getMessage();
 }
 
-TEST_F (Window, ReportsWhatCannotBeLoaded)
+// PCL's event loop does not end where the process has had another window before: each
+// of these cases has a process of its own.
+class WindowDeathTest : public testing::Test {
+protected:
+  void
+  SetUp () override
+  {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+  }
+};
+
+TEST_F (WindowDeathTest, ReportsWhatCannotBeLoaded)
 {
-  WindowOptions options;
-  options.size = {SIZE, SIZE};
-  ViewerWindow window (options);
-  std::string error;
-  EXPECT_TRUE (window.run (
-      [] (const ViewerWindow::Tell& tell, std::string& why) {
-        tell ("reading");
-        why = "no such cloud";
-        return std::unique_ptr<CrestSession>();
-      },
-      error));
-  EXPECT_EQ (error, "no such cloud");
+  const auto run = [] {
+    WindowOptions options;
+    options.size = {SIZE, SIZE};
+    ViewerWindow window (options);
+    std::string error;
+    const bool done = window.run (
+        [] (const ViewerWindow::Tell& tell, std::string& why) {
+          tell ("reading");
+          why = "no such cloud";
+          return std::unique_ptr<CrestSession>();
+        },
+        error);
+    std::_Exit (done && error == "no such cloud" ? 0 : 1);
+  };
+  EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
+}
+
+TEST_F (WindowDeathTest, ClosesDuringWork)
+{
+  const auto run = [] {
+    WindowOptions options;
+    options.size = {SIZE, SIZE};
+    ViewerWindow window (options);
+    // The user presses q when the window says what is being done.
+    vtkNew<vtkCallbackCommand> quit;
+    quit->SetClientData (&window);
+    quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
+      auto* const waiting = static_cast<ViewerWindow*> (data);
+      if (waiting->getMessage() == "endless work ...")
+        waiting->getInteractor()->ExitCallback();
+    });
+    window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit);
+    std::string error;
+    const bool done = window.run (
+        [] (const ViewerWindow::Tell& tell, std::string&) {
+          tell ("endless work");
+          std::promise<std::unique_ptr<CrestSession>> never;
+          return never.get_future().get();
+        },
+        error);
+    std::_Exit (done ? 1 : 0);
+  };
+  EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
 }

@@ -97,20 +97,17 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
     command->take = [this] (unsigned long id) { return keyPressed (id); };
     interactor->AddObserver (event, command, FIRST);
   }
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent})
-    interactor->AddObserver (event, this, &ViewerWindow::buttonMoved, FIRST);
+  // Between press and release the style has the mouse for itself: it passes both on.
+  viewer_->registerMouseCallback (
+      [this] (const pcl::visualization::MouseEvent& event) { mouseMoved (event); });
   interactor->AddObserver (vtkCommand::TimerEvent, this, &ViewerWindow::poll, FIRST);
 }
 
 ViewerWindow::~ViewerWindow()
 {
   sliders_.reset();
-  for (const auto event : {vtkCommand::KeyPressEvent,
-                           vtkCommand::CharEvent,
-                           vtkCommand::LeftButtonPressEvent,
-                           vtkCommand::LeftButtonReleaseEvent,
-                           vtkCommand::TimerEvent})
+  for (const auto event :
+       {vtkCommand::KeyPressEvent, vtkCommand::CharEvent, vtkCommand::TimerEvent})
     getInteractor()->RemoveObservers (event);
 }
 
@@ -287,12 +284,17 @@ ViewerWindow::recolor()
 }
 
 void
-ViewerWindow::buttonMoved (vtkObject*, unsigned long event, void*)
+ViewerWindow::mouseMoved (const pcl::visualization::MouseEvent& event)
 {
-  const int* const at = getInteractor()->GetEventPosition();
-  if (event == vtkCommand::LeftButtonPressEvent)
-    pressed_ = {at[0], at[1]};
-  else if (session_ && pressed_ == std::array<int, 2>{at[0], at[1]})
+  using pcl::visualization::MouseEvent;
+  const std::array<int, 2> at{static_cast<int> (event.getX()),
+                              static_cast<int> (event.getY())};
+  if (event.getButton() != MouseEvent::LeftButton)
+    return;
+  if (event.getType() == MouseEvent::MouseButtonPress)
+    pressed_ = at;
+  else if (event.getType() == MouseEvent::MouseButtonRelease && session_ &&
+           pressed_ == at)
     describeLineAt (at[0], at[1]);
 }
 

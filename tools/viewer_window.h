@@ -95,7 +95,7 @@ private:
   void
   recolor ();
   void
-  buttonMoved (vtkObject* caller, unsigned long event, void* data);
+  mouseMoved (const pcl::visualization::MouseEvent& event);
   void
   describeLineAt (int x, int y);
   void
