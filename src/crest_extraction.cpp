@@ -232,9 +232,10 @@ traceCrests (const OrientedPoints& points,
 Crests
 keepLines (const OrientedPoints& points,
            const SurfaceShape& shape,
-           Crests crests,
+           Crests traced,
            const Parameters& parameters)
 {
+  Crests crests = std::move (traced);
   Stopwatch watch (crests.times);
   const auto removeIf = [&crests] (const auto& unwanted) {
     crests.lines.erase (

@@ -16,7 +16,7 @@ namespace {
 vtkSmartPointer<vtkSliderRepresentation2D>
 makeRepresentation (const Threshold& threshold, std::size_t row)
 {
-  constexpr double BOTTOM = 0.07, STEP = 0.085, LEFT = 0.02, RIGHT = 0.27;
+  constexpr double BOTTOM = 0.12, STEP = 0.085, LEFT = 0.02, RIGHT = 0.27;
   auto slider = vtkSmartPointer<vtkSliderRepresentation2D>::New();
   const Threshold& t = threshold;
   Parameters end;

@@ -80,10 +80,13 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
   bar_->SetPosition (0.9, 0.1);
   bar_->SetWidth (0.08);
   bar_->SetHeight (0.4);
+  bar_->UnconstrainedFontSizeOn();
   bar_->SetLabelFormat ("%-#.3g");
   for (vtkTextProperty* const property :
        {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
     property->SetColor (0.0, 0.0, 0.0);
+    property->SetFontSize (14);
+    property->BoldOff();
     property->ItalicOff();
     property->ShadowOff();
   }

@@ -54,7 +54,7 @@ cloudOfLines (const pcl::PointCloud<PointT>& cloud,
               const std::vector<CrestLine>& lines,
               const std::vector<Eigen::Vector3f>& positions)
 {
-  const auto moved = pcl::make_shared<pcl::PointCloud<PointT>> (cloud);
+  auto moved = pcl::make_shared<pcl::PointCloud<PointT>> (cloud);
   for (const CrestLine& line : lines)
     for (const std::vector<index_t>& polyline : line.polylines)
       for (const index_t point : polyline)
