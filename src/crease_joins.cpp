@@ -2,10 +2,10 @@
 #include <Eigen/Dense>
 
 #include "crease_chains.h"
+#include "disjoint_sets.h"
 #include "place_search.h"
 
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace pcl {
@@ -57,14 +57,13 @@ public:
                             node.spacing});
         }
     state_.assign (ends_.size(), FREE);
-    group_.resize (ends_.size());
-    std::iota (group_.begin(), group_.end(), 0);
   }
 
   CreaseJoins
   join ()
   {
     CreaseJoins joins;
+    DisjointSets corners (ends_.size());
     for (const Pair& pair : pairs()) {
       if (pair.facing && state_[pair.a] == FREE && state_[pair.b] == FREE) {
         state_[pair.a] = state_[pair.b] = BRIDGED;
@@ -72,13 +71,13 @@ public:
       }
       else if (!pair.facing && state_[pair.a] != BRIDGED && state_[pair.b] != BRIDGED) {
         state_[pair.a] = state_[pair.b] = IN_CORNER;
-        unite (pair.a, pair.b);
+        corners.unite (pair.a, pair.b);
       }
     }
     for (int root = 0; root < static_cast<int> (ends_.size()); ++root) {
       std::vector<int> members;
       for (int i = root; i < static_cast<int> (ends_.size()); ++i)
-        if (state_[i] == IN_CORNER && find (i) == root)
+        if (state_[i] == IN_CORNER && corners.find (i) == root)
           members.push_back (i);
       if (members.size() > 1)
         joins.corners.push_back (cornerOf (members));
@@ -94,22 +93,6 @@ public:
 
 private:
   enum State : std::uint8_t { FREE, IN_CORNER, BRIDGED };
-
-  int
-  find (int a)
-  {
-    while (group_[a] != a)
-      a = group_[a] = group_[group_[a]];
-    return a;
-  }
-
-  void
-  unite (int a, int b)
-  {
-    a = find (a);
-    b = find (b);
-    group_[std::max (a, b)] = std::min (a, b);
-  }
 
   /** \brief What may be joined, nearest first. */
   std::vector<Pair>
@@ -225,7 +208,6 @@ private:
   const CreaseChains& chains_;
   std::vector<End> ends_;
   std::vector<State> state_;
-  std::vector<int> group_;
 };
 
 } // namespace

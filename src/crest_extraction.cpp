@@ -69,6 +69,7 @@ std::vector<CrestLine>
 significantLinesOf (const OrientedPoints& points,
                     const SurfaceShape& shape,
                     const CrestEvidence& evidence,
+                    const std::vector<CrestType>& likely_points,
                     CrestType type,
                     const Parameters& parameters,
                     Stopwatch& watch)
@@ -78,14 +79,12 @@ significantLinesOf (const OrientedPoints& points,
   constexpr float LONGEST_BRANCH = 1.5F;
   constexpr float LONGEST_CUT_LOOP = 6.0F;
 
-  std::vector<Membership> members = growAlongCrests (
-      shape.graph,
-      shape.profiles,
-      withoutSharp (shape.sharp_lines, evidence.crest_points),
-      withoutSharp (
-          shape.sharp_lines,
-          likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence)),
-      type);
+  std::vector<Membership> members =
+      growAlongCrests (shape.graph,
+                       shape.profiles,
+                       withoutSharp (shape.sharp_lines, evidence.crest_points),
+                       likely_points,
+                       type);
   for (std::size_t i = 0; i < members.size(); ++i)
     if (shape.sharp_lines.blocked[i] != 0)
       members[i] = Membership::OUTSIDE;
@@ -218,13 +217,18 @@ traceCrests (const OrientedPoints& points,
       classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
   const CrestEvidence evidence = gatherEvidence (
       points, shape.graph, shape.profiles, crests.points, parameters.threads);
+  const std::vector<CrestType> likely_points = withoutSharp (
+      shape.sharp_lines,
+      likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence));
   OrientedPoints where = moveToCrests (points, shape.graph, shape.profiles);
   for (const SharpNode& node : shape.sharp_lines.nodes)
     where.positions[node.point] = node.crease.foot;
   watch.stageDone ("crest points");
   for (const CrestType type : CREST_TYPES)
     if (parameters.wanted[type])
-      take (type, significantLinesOf (where, shape, evidence, type, parameters, watch));
+      take (type,
+            significantLinesOf (
+                where, shape, evidence, likely_points, type, parameters, watch));
   crests.positions = std::move (where.positions);
   return crests;
 }

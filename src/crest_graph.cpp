@@ -1,44 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/crest_graph.h>
 
+#include "disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace pcl {
 namespace crest {
 
 namespace {
-
-class DisjointSets {
-public:
-  explicit DisjointSets (std::size_t size) : parent_ (size)
-  {
-    std::iota (parent_.begin(), parent_.end(), 0);
-  }
-
-  index_t
-  find (index_t x)
-  {
-    while (parent_[x] != x)
-      x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-
-  /** \brief Returns whether a and b were apart. */
-  bool
-  unite (index_t a, index_t b)
-  {
-    a = find (a);
-    b = find (b);
-    parent_[std::max (a, b)] = std::min (a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<index_t> parent_;
-};
 
 EdgeType
 edgeType (Membership a, Membership b)

@@ -98,6 +98,21 @@ classify (const CrestProfile& profile, double spacing, bool resolved, double con
   return k.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
 }
 
+template <typename IsResolved>
+std::vector<CrestType>
+classifyEach (const SurfaceGraph& graph,
+              const std::vector<CrestProfile>& profiles,
+              double confidence,
+              const IsResolved& is_resolved)
+{
+  std::vector<CrestType> types;
+  types.reserve (profiles.size());
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    types.push_back (classify (
+        profiles[i], graph.spacing[i], is_resolved (profiles[i]), confidence));
+  return types;
+}
+
 } // namespace
 
 PerType<double>
@@ -135,12 +150,9 @@ classifyCrestPoints (const SurfaceGraph& graph,
                      const std::vector<CrestProfile>& profiles,
                      double confidence)
 {
-  std::vector<CrestType> types;
-  types.reserve (profiles.size());
-  for (std::size_t i = 0; i < profiles.size(); ++i)
-    types.push_back (
-        classify (profiles[i], graph.spacing[i], profiles[i].resolved, confidence));
-  return types;
+  return classifyEach (graph, profiles, confidence, [] (const CrestProfile& profile) {
+    return profile.resolved;
+  });
 }
 
 std::vector<CrestType>
@@ -148,12 +160,10 @@ likelyCrestPoints (const SurfaceGraph& graph,
                    const std::vector<CrestProfile>& profiles,
                    double confidence)
 {
-  std::vector<CrestType> types;
-  types.reserve (profiles.size());
-  for (std::size_t i = 0; i < profiles.size(); ++i)
-    types.push_back (classify (
-        profiles[i], graph.spacing[i], profiles[i].certainty > 0.0F, 0.5 * confidence));
-  return types;
+  return classifyEach (
+      graph, profiles, 0.5 * confidence, [] (const CrestProfile& profile) {
+        return profile.certainty > 0.0F;
+      });
 }
 
 } // namespace crest

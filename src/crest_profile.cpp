@@ -39,7 +39,7 @@ constexpr double LIKELY_CURVATURE_Z = 3.0;
 /** Less certain than this no coarser scale takes the place of the finest. */
 constexpr double LIKELY_Z = 2.5;
 /** Least change of k1 over the window, relative to it: below, the cubic's own error is
- * larger than any noise. */
+ * larger than any noise, unless even the least sharp crest would change by less. */
 constexpr double LEAST_CHANGE = 0.02;
 /** Standard error of the foot, in spacings, above which a coarser scale places it
  * better; of interest only for samples that the foot is near to. */
@@ -116,7 +116,9 @@ readProfile (const OrientedPoints& points,
   const double sharpness_error =
       2.0 * from.errors.bend * error * to_second_derivative / (k1 * k1 * k1);
 
-  const bool changes = std::hypot (c.slope, c.bend) > LEAST_CHANGE * k1;
+  const double least_crest_change = 0.5 * LEAST_SHARPNESS * k1 * k1 * window * window;
+  const bool changes =
+      std::hypot (c.slope, c.bend) > std::min (LEAST_CHANGE, least_crest_change) * k1;
   bool resolved = z > RESOLVING_Z && k1 > CURVATURE_Z * error && changes;
   if (resolved && std::abs (foot) < NEAR_FOOT * spacing) {
     const double foot_error = window * from.errors.slope * error / (2.0 * -c.bend);

@@ -27,6 +27,8 @@ constexpr double LEAST_RELIEF_TURN = 0.7;
 /** Certainty of a line against that of its points: a line is a lucky one of the very
  * many that noise could draw. */
 constexpr double LINE_CONFIDENCE = 4.0;
+/** Least length of a line in widths of its crest. */
+constexpr double LEAST_ELONGATION = 0.75;
 /** No point is believed to be more certain than this. */
 constexpr double LARGEST_Z = 30.0;
 
@@ -339,7 +341,7 @@ significantLines (const OrientedPoints& points,
     const double certainty = z * std::sqrt (1.0 + line.length / radius);
     return line.length < std::max (radius, parameters.min_length * spacing) ||
            certainty < LINE_CONFIDENCE * parameters.confidence ||
-           elongation (points, evidence, line, summary) < 1.0;
+           elongation (points, evidence, line, summary) < LEAST_ELONGATION;
   };
   lines.erase (std::remove_if (lines.begin(), lines.end(), insignificant), lines.end());
   return lines;
