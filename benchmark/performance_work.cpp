@@ -14,6 +14,8 @@
 #include <flann/flann.hpp>
 #include <nanoflann.hpp>
 
+#include <chrono>
+
 namespace performance {
 
 namespace {
@@ -61,6 +63,36 @@ measureMemory (const OurRun& how, const Cloud& cloud, unsigned threads)
   const std::size_t peak = peakMemory ([&] { extractLines (how, cloud, threads); });
   return {{"bytes_per_point",
            static_cast<double> (peak) / static_cast<double> (cloud.points->size())}};
+}
+
+/** \brief A run with other thresholds after a first one; its time is the counter
+ * "ms rerun", that of the first "ms first".
+ */
+Counters
+runAgain (const std::function<void (Parameters&)>& change,
+          const Cloud& cloud,
+          unsigned threads)
+{
+  Parameters parameters;
+  parameters.preset = Preset::PAPER;
+  parameters.batched_search = true;
+  parameters.threads = threads;
+  pcl::CrestLineEstimation<PointNormal> estimation;
+  estimation.setInputCloud (cloud.points);
+  estimation.setKeepAnalysis (true);
+  const auto milliseconds = [&] {
+    estimation.setParameters (parameters);
+    pcl::PointCloud<pcl::Label> labels;
+    const auto start = std::chrono::steady_clock::now();
+    estimation.compute (labels);
+    return std::chrono::duration<double, std::milli> (std::chrono::steady_clock::now() -
+                                                      start)
+        .count();
+  };
+  const double first = milliseconds();
+  estimation.setAnalysis (estimation.getAnalysis());
+  change (parameters);
+  return {{"ms first", first}, {"ms rerun", milliseconds()}};
 }
 
 template <typename Estimation, typename Output>
@@ -230,19 +262,32 @@ const std::vector<Work>&
 listWork ()
 {
   static const std::vector<Work> all = [] {
-    std::vector<Work> list{ours ("paper", {Preset::PAPER, true, false}),
-                           ours ("paper_shuffled", {Preset::PAPER, true, true}),
-                           ours ("paper_kdtree", {Preset::PAPER, false, false}),
-                           ours ("paper_kdtree_shuffled", {Preset::PAPER, false, true}),
-                           ours ("auto", {Preset::AUTO, true, false}),
-                           memoryOfOurs ("memory_paper", {Preset::PAPER, true, false}),
-                           memoryOfOurs ("memory_auto", {Preset::AUTO, true, false}),
-                           searchWith ("search_portable", Simd::PORTABLE),
-                           {"search_pcl", false, searchOfPcl},
-                           {"search_nanoflann", false, nanoflannSearch},
-                           {"search_flann", true, flannSearch},
-                           {"pcl_principal_curvatures", false, principalCurvatures},
-                           {"pcl_normals", true, normals}};
+    std::vector<Work> list{
+        ours ("paper", {Preset::PAPER, true, false}),
+        ours ("paper_shuffled", {Preset::PAPER, true, true}),
+        ours ("paper_kdtree", {Preset::PAPER, false, false}),
+        ours ("paper_kdtree_shuffled", {Preset::PAPER, false, true}),
+        ours ("auto", {Preset::AUTO, true, false}),
+        memoryOfOurs ("memory_paper", {Preset::PAPER, true, false}),
+        memoryOfOurs ("memory_auto", {Preset::AUTO, true, false}),
+        {"rerun_M",
+         true,
+         [] (const Cloud& cloud, unsigned threads) {
+           const auto change = [] (Parameters& p) { p.maximality = {0.1, 0.1}; };
+           return runAgain (change, cloud, threads);
+         }},
+        {"rerun_S",
+         true,
+         [] (const Cloud& cloud, unsigned threads) {
+           const auto change = [] (Parameters& p) { p.min_size = {30, 30}; };
+           return runAgain (change, cloud, threads);
+         }},
+        searchWith ("search_portable", Simd::PORTABLE),
+        {"search_pcl", false, searchOfPcl},
+        {"search_nanoflann", false, nanoflannSearch},
+        {"search_flann", true, flannSearch},
+        {"pcl_principal_curvatures", false, principalCurvatures},
+        {"pcl_normals", true, normals}};
     for (const auto& [name, simd] :
          {std::pair{"search_sse2", Simd::SSE2}, std::pair{"search_avx2", Simd::AVX2}})
       if (pcl::crest::isAvailable (simd))

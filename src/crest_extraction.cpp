@@ -24,7 +24,7 @@ constexpr double CONNECTED = 0.15;
 constexpr double CREASES_FOUND = 0.5;
 constexpr double CURVED = 0.9;
 constexpr double CLASSIFIED = 0.93;
-constexpr double EACH_TYPE = 0.03;
+constexpr double TRACED = 1.0;
 
 void
 beginStage (Progress* progress, const std::string& stage, double end)
@@ -215,10 +215,10 @@ analyzeSurface (const OrientedPoints& points,
 }
 
 Crests
-extractCrests (const OrientedPoints& points,
-               const SurfaceShape& shape,
-               const Parameters& parameters,
-               Progress* progress)
+traceCrests (const OrientedPoints& points,
+             const SurfaceShape& shape,
+             const Parameters& parameters,
+             Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
   beginStage (progress, "crest points", CLASSIFIED);
@@ -226,51 +226,94 @@ extractCrests (const OrientedPoints& points,
   Stopwatch watch (crests.times);
   const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {
     crests.sizes[type] = lineSizes (lines);
-    lines = removeSmallLines (std::move (lines),
-                              static_cast<std::size_t> (minSize (parameters, type)));
     std::move (lines.begin(), lines.end(), std::back_inserter (crests.lines));
     watch.stageDone ("lines");
   };
 
-  OrientedPoints where = points;
   if (parameters.preset == Preset::PAPER) {
     crests.points = classifyCrestPoints (points,
                                          shape.graph,
                                          shape.curvature,
                                          absoluteMaximality (points, parameters),
-                                         parameters.threads);
+                                         workers);
+    crests.positions = points.positions;
     watch.stageDone ("crest points");
+    beginStage (progress, "lines", TRACED);
     for (const CrestType type : CREST_TYPES)
       if (parameters.wanted[type])
         take (type,
               linesOfPaper (points, shape, crests.points, type, parameters, watch));
+    return crests;
   }
-  else {
-    crests.points =
-        classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
-    const CrestEvidence evidence = gatherEvidence (
-        points, shape.graph, shape.profiles, crests.points, parameters.threads);
-    const std::vector<CrestType> likely_points = withoutSharp (
-        shape.sharp_lines,
-        likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence));
-    where = moveToCrests (points, shape.graph, shape.profiles);
-    for (const SharpNode& node : shape.sharp_lines.nodes)
-      where.positions[node.point] = node.crease.foot;
-    watch.stageDone ("crest points");
-    for (const CrestType type : CREST_TYPES)
-      if (parameters.wanted[type])
-        take (type,
-              significantLinesOf (
-                  where, shape, evidence, likely_points, type, parameters, watch));
-    smoothLines (crests.lines, shape.profiles, shape.graph, where);
-    watch.stageDone ("smoothing");
-    measureProfiles (shape.profiles, crests.points, crests.lines);
-    if (parameters.positions == Positions::SAMPLES)
-      where = points;
-  }
-  measureLines (where, shape.graph, shape.curvature, crests.lines);
+  crests.points =
+      classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
+  const CrestEvidence evidence =
+      gatherEvidence (points, shape.graph, shape.profiles, crests.points, workers);
+  const std::vector<CrestType> likely_points = withoutSharp (
+      shape.sharp_lines,
+      likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence));
+  OrientedPoints where = moveToCrests (points, shape.graph, shape.profiles);
+  for (const SharpNode& node : shape.sharp_lines.nodes)
+    where.positions[node.point] = node.crease.foot;
+  watch.stageDone ("crest points");
+  beginStage (progress, "lines", TRACED);
+  for (const CrestType type : CREST_TYPES)
+    if (parameters.wanted[type])
+      take (type,
+            significantLinesOf (
+                where, shape, evidence, likely_points, type, parameters, watch));
   crests.positions = std::move (where.positions);
   return crests;
+}
+
+Crests
+keepLines (const OrientedPoints& points,
+           const SurfaceShape& shape,
+           Crests traced,
+           const Parameters& parameters)
+{
+  Crests crests = std::move (traced);
+  Stopwatch watch (crests.times);
+  const auto removeIf = [&crests] (const auto& unwanted) {
+    crests.lines.erase (
+        std::remove_if (crests.lines.begin(), crests.lines.end(), unwanted),
+        crests.lines.end());
+  };
+  removeIf (
+      [&parameters] (const CrestLine& line) { return !parameters.wanted[line.type]; });
+  crests.lines = removeSmallLines (std::move (crests.lines),
+                                   {minSize (parameters, CrestType::RIDGE),
+                                    minSize (parameters, CrestType::VALLEY)});
+  for (const CrestType type : CREST_TYPES)
+    if (!parameters.wanted[type])
+      crests.sizes[type].clear();
+
+  // Lines need no normals to run and to be measured.
+  OrientedPoints where;
+  where.positions = std::move (crests.positions);
+  if (parameters.preset == Preset::AUTO) {
+    smoothLines (crests.lines, shape.profiles, shape.graph, where);
+    measureProfiles (shape.profiles, crests.points, crests.lines);
+    watch.stageDone ("smoothing");
+    if (parameters.positions == Positions::SAMPLES)
+      where.positions = points.positions;
+  }
+  measureLines (where, shape.graph, shape.curvature, crests.lines);
+  removeIf ([&parameters] (const CrestLine& line) {
+    return line.strength < parameters.min_strength;
+  });
+  crests.positions = std::move (where.positions);
+  return crests;
+}
+
+Crests
+extractCrests (const OrientedPoints& points,
+               const SurfaceShape& shape,
+               const Parameters& parameters,
+               Progress* progress)
+{
+  return keepLines (
+      points, shape, traceCrests (points, shape, parameters, progress), parameters);
 }
 
 std::vector<Label>

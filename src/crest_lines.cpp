@@ -141,13 +141,15 @@ lineSizes (const std::vector<CrestLine>& lines)
 }
 
 std::vector<CrestLine>
-removeSmallLines (std::vector<CrestLine> lines, std::size_t min_size)
+removeSmallLines (std::vector<CrestLine> lines, const PerType<int>& min_size)
 {
-  lines.erase (
-      std::remove_if (lines.begin(),
-                      lines.end(),
-                      [&] (const CrestLine& line) { return line.size < min_size; }),
-      lines.end());
+  lines.erase (std::remove_if (lines.begin(),
+                               lines.end(),
+                               [&] (const CrestLine& line) {
+                                 return line.size <
+                                        static_cast<std::size_t> (min_size[line.type]);
+                               }),
+               lines.end());
   return lines;
 }
 

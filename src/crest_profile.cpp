@@ -178,6 +178,8 @@ profileCrests (const OrientedPoints& points,
   PyramidLevel level = finestLevel (points, graph);
   int at_level = 0;
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
+    if (workers.progress != nullptr)
+      workers.progress->beginPart (scale, static_cast<int> (SCALES.size()));
     for (; at_level < SCALES[scale].level; ++at_level)
       level = coarserLevel (level, workers);
     const int nodes = SCALES[scale].nodes;

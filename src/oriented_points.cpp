@@ -2,7 +2,9 @@
 #include <pcl_crest/oriented_points.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -128,6 +130,25 @@ packOrientedPoints (const PointView& cloud)
     points.cloud_index.push_back (samples[begin].cloud_index);
   }
   return points;
+}
+
+std::uint64_t
+fingerprint (const PointView& cloud)
+{
+  // The steps of FNV-1a (Fowler, Noll and Vo), over words in the place of bytes.
+  constexpr std::uint64_t PRIME = 0x100000001b3ULL;
+  std::uint64_t hash = 0xcbf29ce484222325ULL ^ cloud.size;
+  const auto add = [&hash] (const float* three) {
+    std::array<std::uint32_t, 3> bits{};
+    std::memcpy (bits.data(), three, sizeof (bits));
+    hash = (hash ^ (bits[0] | static_cast<std::uint64_t> (bits[1]) << 32)) * PRIME;
+    hash = (hash ^ hash >> 29 ^ bits[2]) * PRIME;
+  };
+  for (std::size_t i = 0; i < cloud.size; ++i) {
+    add (cloud.position + i * cloud.stride);
+    add (cloud.normal + i * cloud.stride);
+  }
+  return hash;
 }
 
 index_t

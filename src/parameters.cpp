@@ -85,6 +85,9 @@ explainInvalid (const Parameters& p)
     if (minSize (p, type) < 0)
       return complain ("S", minSize (p, type), "not negative");
   }
+  if (!(p.min_strength >= 0.0 && std::isfinite (p.min_strength)))
+    return complain (
+        "the least strength of a line", p.min_strength, "finite and not negative");
   if (!(p.angle >= 0.0 && p.angle <= 180.0))
     return complain ("the turning angle", p.angle, "from 0 to 180 degrees");
   if (!(p.min_length >= 0.0 && std::isfinite (p.min_length)))

@@ -294,7 +294,9 @@ private:
  * alone, with some ten degrees of freedom, is too uncertain for a test.
  */
 void
-poolNoise (const PyramidLevel& level, std::vector<ScaleFit>& fits, const Workers& workers)
+poolNoise (const PyramidLevel& level,
+           std::vector<ScaleFit>& fits,
+           const Workers& workers)
 {
   std::vector<double> variance (fits.size());
   for (std::size_t i = 0; i < fits.size(); ++i)

@@ -71,9 +71,7 @@ filterNeighbors (const OrientedPoints& points,
   directed.spacing.assign (size, 0.0F);
   std::vector<std::vector<index_t>> blocks (blockCount (size));
   forEachBlock (
-      size,
-      workers,
-      [&] (std::size_t block, std::size_t first, std::size_t last) {
+      size, workers, [&] (std::size_t block, std::size_t first, std::size_t last) {
         QuadrantFilter filter (points, parameters);
         std::vector<index_t>& neighbors = blocks[block];
         candidates.visit (
@@ -93,19 +91,17 @@ filterNeighbors (const OrientedPoints& points,
   }
   directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
   directed.neighbors.resize (directed.offsets.back());
-  forEachBlock (size,
-                workers,
-                [&] (std::size_t block, std::size_t first, std::size_t last) {
-                  const index_t* from = blocks[block].data();
-                  for (std::size_t i = first; i < last; ++i) {
-                    const index_t point = candidates.point (i);
-                    const index_t* const to =
-                        from + directed.offsets[point + 1] - directed.offsets[point];
-                    std::copy (
-                        from, to, directed.neighbors.data() + directed.offsets[point]);
-                    from = to;
-                  }
-                });
+  forEachBlock (
+      size, workers, [&] (std::size_t block, std::size_t first, std::size_t last) {
+        const index_t* from = blocks[block].data();
+        for (std::size_t i = first; i < last; ++i) {
+          const index_t point = candidates.point (i);
+          const index_t* const to =
+              from + directed.offsets[point + 1] - directed.offsets[point];
+          std::copy (from, to, directed.neighbors.data() + directed.offsets[point]);
+          from = to;
+        }
+      });
   return directed;
 }
 
@@ -204,11 +200,10 @@ buildSurfaceGraph (const OrientedPoints& points,
                    Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  return symmetrize (filterNeighbors (points,
-                                      BatchedCandidates{tree, parameters.k},
-                                      parameters,
-                                      workers),
-                     workers);
+  return symmetrize (
+      filterNeighbors (
+          points, BatchedCandidates{tree, parameters.k}, parameters, workers),
+      workers);
 }
 
 SurfaceGraph

@@ -145,7 +145,7 @@ TEST (Lines, SizesAreCountedAndSmallLinesRemoved)
   for (std::size_t i = 0; i < 5; ++i)
     lines[i].size = sizes[i];
   EXPECT_EQ (lineSizes (lines), (LineSizes{{9, 1}, {10, 1}, {12, 2}, {30, 1}}));
-  EXPECT_EQ (removeSmallLines (lines, 10).size(), 4U);
-  EXPECT_EQ (removeSmallLines (lines, 11).size(), 3U);
-  EXPECT_EQ (removeSmallLines (lines, 0).size(), 5U);
+  EXPECT_EQ (removeSmallLines (lines, {10, 10}).size(), 4U);
+  EXPECT_EQ (removeSmallLines (lines, {11, 11}).size(), 3U);
+  EXPECT_EQ (removeSmallLines (lines, {0, 0}).size(), 5U);
 }

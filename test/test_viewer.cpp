@@ -114,6 +114,25 @@ TEST_F (Viewer, DrawsTheCrestsOfAFile)
       << "nothing else should be left behind";
 }
 
+TEST_F (Viewer, DrawsTheChartOnRequest)
+{
+  const std::string arguments = input + " -screenshot " + output + size;
+  const auto inCorner = [this] (PixelTest& test) {
+    const Picture picture (contentOf (output));
+    int pixels = 0;
+    for (int y = SIZE * 65 / 100; y < SIZE; ++y)
+      for (int x = SIZE * 65 / 100; x < SIZE; ++x)
+        pixels += test (picture (x, y)) ? 1 : 0;
+    return pixels;
+  };
+  ASSERT_EQ (runViewer ("", arguments), 0);
+  const int white = inCorner (isWhite);
+  ASSERT_EQ (runViewer ("", arguments + " -chart"), 0);
+  EXPECT_GT (inCorner (isWhite), white + 1000);
+  EXPECT_GT (inCorner (isBlue), 50);
+  EXPECT_GT (inCorner (isRed), 50);
+}
+
 TEST_F (Viewer, SaysThatItNeedsADisplay)
 {
   for (const std::string before : {"env -u DISPLAY", "env DISPLAY=:4711"})
@@ -140,6 +159,8 @@ TEST_F (Viewer, ExitsAsItsMistakesAre)
   EXPECT_EQ (runViewer ("", input + screenshot + " -x"), 1);
   EXPECT_EQ (runViewer ("", input + " -screenshot " + folder + "/waves.jpg"), 1);
   EXPECT_EQ (runViewer ("", folder + "/missing.pcd" + screenshot), 2);
+  EXPECT_EQ (runViewer ("timeout 60", folder + "/missing.pcd", &said), 2);
+  EXPECT_NE (said.find ("missing.pcd"), std::string::npos) << said;
   EXPECT_EQ (runViewer ("", input + " -screenshot " + folder + "/no/waves.png"), 2);
 
   cloud->points.resize (3);

@@ -9,6 +9,7 @@
 
 #include "estimation.h"
 #include "options.h"
+#include "progress_bar.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -127,12 +128,22 @@ report (const std::vector<StageTime>& times)
 }
 
 int
-run (const Files& files, const Parameters& parameters)
+run (const Files& files, const Parameters& parameters, bool quiet)
 {
+  if (quiet)
+    std::cout.setstate (std::ios_base::failbit); // which swallows all reports
   std::string error;
   Estimate result;
   const auto tell = [&files] (const InputCloud& cloud) { report (files, cloud); };
-  const ExitCode code = estimate (files.input, parameters, tell, result, error);
+  ExitCode code = EXIT_DONE;
+  {
+    ProgressBar bar (quiet);
+    const auto progress = [&bar] (const std::string& stage, double done) {
+      bar.show (stage, done);
+      return true;
+    };
+    code = estimate (files.input, parameters, tell, progress, result, error);
+  }
   if (code != EXIT_DONE)
     return fail (PROGRAM, code, error);
   const auto& [cloud, estimation, labels] = result;
@@ -179,6 +190,7 @@ main (int argc, char** argv)
 {
   Parameters parameters;
   Files files;
+  bool quiet = false;
   bool help = false;
   Options options;
   addEstimationOptions (options, parameters);
@@ -192,6 +204,7 @@ main (int argc, char** argv)
                    "FILE.pcd",
                    "write principal curvatures and directions",
                    files.curvatures);
+  options.addFlag ("-quiet", "print errors only, and no progress on a terminal", quiet);
   options.addFlag ("-h", "show this and do nothing else", help);
   if (wantsHelp (argc, argv)) {
     std::cout
@@ -214,5 +227,6 @@ main (int argc, char** argv)
   files.input = arguments[0];
   files.output = arguments[1];
   const ExitCode code = checkOutputs (files, error);
-  return code == EXIT_DONE ? run (files, parameters) : fail (PROGRAM, code, error);
+  return code == EXIT_DONE ? run (files, parameters, quiet)
+                           : fail (PROGRAM, code, error);
 }

@@ -4,18 +4,16 @@
 // written or there is no display.
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/parse_number.h>
-#include <pcl_crest/visualization/crest_scene.h>
 #include <pcl_crest/visualization/picture.h>
-#include <pcl_crest/visualization/view.h>
 
-#include <pcl/visualization/pcl_visualizer.h>
-
-#include "estimation.h"
 #include "options.h"
+#include "program.h"
+#include "viewer_window.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
-#include <optional>
 
 using namespace pcl::crest;
 
@@ -26,11 +24,8 @@ constexpr char PROGRAM[] = "pcl_crest_viewer";
 constexpr int SAMPLES_PER_PIXEL = 8;
 
 struct Request {
-  std::string input;
+  WindowOptions window;
   std::string screenshot;
-  Eigen::Vector2i size{1200, 1200};
-  /** else the view is fitted to the cloud */
-  std::optional<View> view;
 };
 
 std::string
@@ -58,15 +53,56 @@ takeView (const std::string& value, std::optional<View>& view)
   return wanted;
 }
 
-int
-savePicture (const CrestScene& scene, const Request& request)
+/** \brief All that is to know before anything can be shown. */
+std::unique_ptr<CrestSession>
+load (const std::string& input,
+      const Parameters& parameters,
+      const ViewerWindow::Tell& tell,
+      std::string& error)
 {
+  tell ("reading " + input);
+  InputCloud cloud;
+  if (!readCloud (input, parameters.k, parameters.threads, cloud, error))
+    return nullptr;
+  for (const std::string& note : cloud.notes)
+    std::cout << input << ": " << note << "\n";
+  auto session = std::make_unique<CrestSession> (std::move (cloud), parameters, tell);
+  const std::vector<PrincipalCurvature>& curvature = session->getShape().curvature;
+  if (std::any_of (curvature.begin(),
+                   curvature.end(),
+                   [] (const PrincipalCurvature& c) { return c.valid; }))
+    return session;
+  error = input + ": there is nothing to show, as no point is finite, has a normal and "
+                  "neighbors enough";
+  return nullptr;
+}
+
+int
+savePicture (const Request& request, const Parameters& parameters)
+{
+  std::string error;
+  const auto quiet = [] (const std::string&) {};
+  const std::unique_ptr<CrestSession> session =
+      load (request.window.input, parameters, quiet, error);
+  if (!session)
+    return fail (PROGRAM, EXIT_FILE, error);
+  const auto& [input, prefix, size, view, with_chart] = request.window;
+  const auto& cloud = session->getCloud().points;
+  CrestScene scene;
+  scene.setCloud (cloud);
+  scene.setLines (session->getLines(), session->lineCloud());
+  SizeChart chart (scene.getRenderer());
+  chart.setVisible (with_chart);
+  chart.setSizes (session->getStatistics().line_sizes,
+                  {minSize (parameters, CrestType::RIDGE),
+                   minSize (parameters, CrestType::VALLEY)});
+  setCamera (view ? *view : fitView (*cloud, size),
+             *scene.getRenderer()->GetActiveCamera());
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering (1);
   window->SetMultiSamples (SAMPLES_PER_PIXEL);
-  window->SetSize (request.size.x(), request.size.y());
+  window->SetSize (size.x(), size.y());
   window->AddRenderer (scene.getRenderer());
-  std::string error;
   if (!replaceFile (request.screenshot, renderPicture (*window), error))
     return fail (PROGRAM, EXIT_FILE, error);
   std::cout << "Wrote " << request.screenshot << "\n";
@@ -74,49 +110,23 @@ savePicture (const CrestScene& scene, const Request& request)
 }
 
 int
-showWindow (const CrestScene& scene, const Request& request)
+showWindow (const Request& request, const Parameters& parameters)
 {
-  const vtkSmartPointer<vtkRenderer> renderer = scene.getRenderer();
-  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  pcl::visualization::PCLVisualizer viewer (
-      renderer, window, "pcl_crest_viewer " + request.input);
-  viewer.setShowFPS (false);
-  viewer.setSize (request.size.x(), request.size.y());
-  if (request.view)
-    viewer.setPosition (request.view->window_position.x(),
-                        request.view->window_position.y());
-  viewer.spin();
-  return EXIT_DONE;
-}
-
-int
-run (const Request& request, const Parameters& parameters)
-{
-  std::string error;
-  Estimate result;
-  const auto tell = [&request] (const InputCloud& read) {
-    for (const std::string& note : read.notes)
-      std::cout << request.input << ": " << note << "\n";
+  const auto load_input = [&] (const ViewerWindow::Tell& tell, std::string& error) {
+    return load (request.window.input, parameters, tell, error);
   };
-  const ExitCode code = estimate (request.input, parameters, tell, result, error);
-  if (code != EXIT_DONE)
-    return fail (PROGRAM, code, error);
-  const auto& [cloud, estimation, labels] = result;
-  if (std::all_of (labels.begin(), labels.end(), [] (const pcl::Label& label) {
-        return label.label == LABEL_INVALID;
-      }))
-    return fail (PROGRAM,
-                 EXIT_FILE,
-                 request.input + ": there is nothing to show, as no point is finite, "
-                                 "has a normal and neighbors enough");
-
-  CrestScene scene;
-  scene.setCloud (cloud.points);
-  scene.setLines (estimation.getLines(), *estimation.getLineCloud());
-  setCamera (request.view ? *request.view : fitView (*cloud.points, request.size),
-             *scene.getRenderer()->GetActiveCamera());
-  return request.screenshot.empty() ? showWindow (scene, request)
-                                    : savePicture (scene, request);
+  std::string error;
+  bool done = false;
+  {
+    ViewerWindow window (request.window);
+    done = window.run (load_input, error);
+    // The stages cannot be interrupted, and write nothing that would be left in part.
+    if (!done) {
+      std::cout.flush();
+      std::_Exit (EXIT_DONE);
+    }
+  }
+  return error.empty() ? EXIT_DONE : fail (PROGRAM, EXIT_FILE, error);
 }
 
 } // namespace
@@ -133,18 +143,22 @@ main (int argc, char** argv)
                    "FILE.png",
                    "write a picture instead of opening a window",
                    request.screenshot);
-  options.add (
-      "-size",
-      "WxH",
-      "size of window or picture (default 1200x1200, or as -cam says)",
-      [&request] (const std::string& value) { return takeSize (value, request.size); });
-  options.add (
-      "-cam",
-      "CAMERA",
-      "a file that pcl_viewer saved the camera to, or what is in it\n"
-      "                          (default: the whole cloud from its broadest "
-      "side)",
-      [&request] (const std::string& value) { return takeView (value, request.view); });
+  options.add ("-size",
+               "WxH",
+               "size of window or picture (default 1200x1200, or as -cam says)",
+               [&request] (const std::string& value) {
+                 return takeSize (value, request.window.size);
+               });
+  options.add ("-cam",
+               "CAMERA",
+               "a file that pcl_viewer saved the camera to, or what is in it\n"
+               "                          (default: the whole cloud from its broadest "
+               "side)",
+               [&request] (const std::string& value) {
+                 return takeView (value, request.window.view);
+               });
+  options.addFlag (
+      "-chart", "show the chart of line sizes from the start", request.window.chart);
   options.addFlag ("-h", "show this and do nothing else", help);
   if (wantsHelp (argc, argv)) {
     std::cout
@@ -152,7 +166,8 @@ main (int argc, char** argv)
            "Shows a point cloud and its crest lines, ridges blue and valleys red, in\n"
            "a window with the mouse and keys of pcl_viewer (h lists them, q quits).\n"
            "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file.\n\n"
-        << options.usage();
+        << options.usage() << "\nKeys in the window:\n"
+        << ViewerWindow::keys();
     return EXIT_DONE;
   }
 
@@ -161,9 +176,10 @@ main (int argc, char** argv)
       takeArguments (argc, argv, {"INPUT"}, options, parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
-  request.input = arguments[0];
-  if (request.view && !options.given ("-size"))
-    request.size = request.view->window_size;
+  request.window.input = arguments[0];
+  request.window.prefix = std::filesystem::path (arguments[0]).stem().string();
+  if (request.window.view && !options.given ("-size"))
+    request.window.size = request.window.view->window_size;
   if (!request.screenshot.empty()) {
     if (!hasExtension (request.screenshot, {".png"}, error))
       return fail (PROGRAM, EXIT_USAGE, error);
@@ -172,5 +188,6 @@ main (int argc, char** argv)
   }
   if (!canRender (error))
     return fail (PROGRAM, EXIT_FILE, error);
-  return run (request, parameters);
+  return request.screenshot.empty() ? showWindow (request, parameters)
+                                    : savePicture (request, parameters);
 }

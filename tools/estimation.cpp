@@ -8,6 +8,7 @@ ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
           const std::function<void (const InputCloud&)>& tell,
+          const ProgressCallback& progress,
           Estimate& result,
           std::string& error)
 {
@@ -16,6 +17,7 @@ estimate (const std::string& file,
   tell (result.cloud);
   result.estimation.setInputCloud (result.cloud.points);
   result.estimation.setParameters (parameters);
+  result.estimation.setProgressCallback (progress);
   result.estimation.compute (result.labels);
   if (result.labels.size() == result.cloud.points->size())
     return EXIT_DONE;

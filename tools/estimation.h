@@ -23,6 +23,7 @@ struct Estimate {
  * \param[in] file the path
  * \param[in] parameters those of the estimation
  * \param[in] tell called with what was read, before the computation
+ * \param[in] progress told how far the computation is
  * \param[out] result all of it
  * \param[out] error on failure what is wrong
  * \return EXIT_DONE, or the code to exit with
@@ -31,6 +32,7 @@ ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
           const std::function<void (const InputCloud&)>& tell,
+          const ProgressCallback& progress,
           Estimate& result,
           std::string& error);
 

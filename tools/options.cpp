@@ -261,6 +261,10 @@ addEstimationOptions (Options& options, Parameters& parameters)
                   std::to_string (minSize (Parameters(), CrestType::RIDGE)) +
                   " with auto)",
               parameters.min_size);
+  options.addNumber ("-strength",
+                     withDefault ("remove lines along which |k1| adds up to less",
+                                  parameters.min_strength),
+                     parameters.min_strength);
   options.addNumber (
       "-prune",
       withDefault ("paper: prune branches of up to this many points", parameters.prune),

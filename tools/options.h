@@ -81,8 +81,9 @@ private:
 
 /** \brief Adds the options that fill the parameters of the estimation: -preset -angle
  * -min_length -confidence -positions -k -radius -search -M -M_ridge -M_valley -absolute
- * -S -S_ridge -S_valley -prune -type -boundaries -threads. The defaults in the usage
- * are those that the parameters have now, but for the search, which is the batched one.
+ * -S -S_ridge -S_valley -strength -prune -type -boundaries -threads. The defaults in
+ * the usage are those that the parameters have now, but for the search, which is the
+ * batched one.
  */
 void
 addEstimationOptions (Options& options, Parameters& parameters);

@@ -50,7 +50,27 @@ analyzeSurface (const OrientedPoints& points,
                 const Parameters& parameters,
                 Progress* progress = nullptr);
 
-/** \brief Sections 4.3 to 4.7. */
+/** \brief Sections 4.3 to 4.6, and all lines of 4.7, still unmeasured: their positions
+ * are those of single crest points. min_size and min_strength are not used.
+ */
+Crests
+traceCrests (const OrientedPoints& points,
+             const SurfaceShape& shape,
+             const Parameters& parameters,
+             Progress* progress = nullptr);
+
+/** \brief The rest of section 4.7: keeps the lines of the wanted types that have
+ * min_size points, smooths and measures them, and removes those below min_strength.
+ * \param[in] traced by traceCrests with these parameters but for the three above, of
+ * at least the wanted types
+ */
+Crests
+keepLines (const OrientedPoints& points,
+           const SurfaceShape& shape,
+           Crests traced,
+           const Parameters& parameters);
+
+/** \brief Sections 4.3 to 4.7: both of these. */
 Crests
 extractCrests (const OrientedPoints& points,
                const SurfaceShape& shape,

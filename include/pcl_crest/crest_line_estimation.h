@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/crest_extraction.h>
+#include <pcl_crest/surface_analysis.h>
 
 #include <pcl/features/feature.h>
 #include <pcl/point_types.h>
@@ -153,6 +153,13 @@ public:
     parameters_.min_size.valley = points;
   }
 
+  /** \brief Set the least strength of lines (see crest::Parameters::min_strength). */
+  void
+  setMinStrength (double strength)
+  {
+    parameters_.min_strength = strength;
+  }
+
   /** \brief Set the size in points up to which branches are pruned (PAPER). */
   void
   setPruneSize (int points)
@@ -227,6 +234,43 @@ public:
       parameters.k = k_;
     parameters.radius = search_radius_;
     return parameters;
+  }
+
+  /** \brief Set what is called while compute works (see crest::ProgressCallback). Where
+   * it returns false compute stops: its outputs are then empty, and PCL_WARN says so.
+   */
+  void
+  setProgressCallback (crest::ProgressCallback callback)
+  {
+    progress_callback_ = std::move (callback);
+  }
+
+  /** \brief Choose whether compute keeps what it finds out for getAnalysis, some 150
+   * bytes a point. It does not else.
+   */
+  void
+  setKeepAnalysis (bool keep)
+  {
+    keep_analysis_ = keep;
+  }
+
+  /** \brief What the last compute found out about the surface, if setKeepAnalysis; else
+   * null. */
+  const std::shared_ptr<const crest::SurfaceAnalysis>&
+  getAnalysis () const
+  {
+    return result_.analysis;
+  }
+
+  /** \brief Set what a compute on the same cloud found out: the next ones take it over,
+   * and repeat only what their thresholds change. Null makes compute start anew. It is
+   * a mistake where the cloud, or a parameter that the surface graph and the curvatures
+   * depend on, has changed.
+   */
+  void
+  setAnalysis (std::shared_ptr<const crest::SurfaceAnalysis> analysis)
+  {
+    analysis_ = std::move (analysis);
   }
 
   using Feature<PointInT, PointOutT>::compute;
@@ -310,10 +354,32 @@ private:
     typename PointCloudIn::ConstPtr line_cloud;
     pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
     Statistics statistics;
+    std::shared_ptr<const crest::SurfaceAnalysis> analysis;
   };
 
   void
   computeFeature (PointCloudOut& output) override;
+
+  /** \brief The packed points of the indices; false, with an error, if one is not a
+   * point of the surface. */
+  bool
+  locateInput (const crest::OrientedPoints& points, pcl::Indices& packed) const;
+
+  /** \brief Sections 4.1 and 4.2; false, with an error, if the search method fails. */
+  bool
+  analyze (const crest::OrientedPoints& points,
+           crest::Progress& progress,
+           crest::SurfaceShape& shape) const;
+
+  /** \brief All of the method; false, with an error, where it cannot be done. */
+  bool
+  extract (crest::Progress& progress, PointCloudOut& output);
+
+  void
+  writeOutput (const pcl::Indices& packed_indices,
+               const std::vector<crest::Label>& labels,
+               const std::vector<crest::PrincipalCurvature>& curvature,
+               PointCloudOut& output);
 
   /** \brief Whether the user's search method can take the surface; gives it over. */
   bool
@@ -324,6 +390,9 @@ private:
   viewOf (const PointCloudIn& cloud);
 
   crest::Parameters parameters_;
+  crest::ProgressCallback progress_callback_;
+  bool keep_analysis_ = false;
+  std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
   Result result_;
 };
 

@@ -92,7 +92,7 @@ lineSizes (const std::vector<CrestLine>& lines);
 
 /** \brief Removes the lines of fewer than min_size points (section 4.7). */
 std::vector<CrestLine>
-removeSmallLines (std::vector<CrestLine> lines, std::size_t min_size);
+removeSmallLines (std::vector<CrestLine> lines, const PerType<int>& min_size);
 
 } // namespace crest
 } // namespace pcl

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -16,6 +17,9 @@ namespace crest {
  * `position + i * stride` and `normal + i * stride`, strides in floats.
  */
 struct PointView {
+  /** the most points that 32-bit indices can tell apart */
+  static constexpr std::size_t MOST_POINTS = 0x7fffffff;
+
   const float* position;
   const float* normal;
   std::size_t stride;
@@ -71,6 +75,12 @@ struct OrientedPoints {
  */
 OrientedPoints
 packOrientedPoints (const PointView& cloud);
+
+/** \brief A number that differs, for all that is likely, where a position or a normal
+ * of two clouds does.
+ */
+std::uint64_t
+fingerprint (const PointView& cloud);
 
 /** \brief Finds points of another cloud among those that a surface was packed from, by
  * their exact positions.

@@ -91,6 +91,10 @@ struct Parameters {
    * 0 for AUTO, which judges length by min_length (see minSize). */
   PerType<std::optional<int>> min_size;
 
+  /** Lines of less strength are removed: the integral of |k1| along a line, a number
+   * without unit (Yoshizawa et al. 2005). */
+  double min_strength = 0.0;
+
   /** How far the surface at least turns across a line, on its average, in degrees. */
   double angle = 25.0;
 

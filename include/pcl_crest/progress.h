@@ -13,13 +13,13 @@ namespace pcl {
 namespace crest {
 
 /** \brief Called when a stage begins and about ten times a second, by the thread that
- * started the work: with the name of the stage and the part of all work that is done, from
- * 0 to 1, an estimate that never falls. Returns whether to go on. Must not throw.
+ * started the work: with the name of the stage and the part of all work that is done,
+ * from 0 to 1, an estimate that never falls. Returns whether to go on. Must not throw.
  */
 using ProgressCallback = std::function<bool (const std::string& stage, double done)>;
 
-/** \brief Thrown by the stages, and caught by CrestLineEstimation, where a callback said
- * not to go on.
+/** \brief Thrown by the stages, and caught by CrestLineEstimation, where a callback
+ * said not to go on.
  */
 struct Cancelled {};
 

@@ -55,6 +55,7 @@ describe (const Parameters& p)
   }
   json["S_ridge"] = minSize (p, CrestType::RIDGE);
   json["S_valley"] = minSize (p, CrestType::VALLEY);
+  json["strength"] = p.min_strength;
   json["type"] = p.wanted.ridge && p.wanted.valley ? "both"
                  : p.wanted.ridge                  ? "ridges"
                                                    : "valleys";
@@ -65,12 +66,13 @@ describe (const Parameters& p)
 Json
 describe (CrestType type,
           const pcl::PointCloud<pcl::Label>& labels,
-          const pcl::CrestLineEstimation<pcl::PointNormal>& estimation)
+          const std::vector<CrestLine>& crest_lines,
+          const LineSizes& sizes)
 {
   const bool ridge = type == CrestType::RIDGE;
   std::size_t lines = 0;
   double length = 0.0;
-  for (const CrestLine& line : estimation.getLines())
+  for (const CrestLine& line : crest_lines)
     if (line.type == type) {
       ++lines;
       length += line.length;
@@ -82,7 +84,7 @@ describe (CrestType type,
   json["lines"] = lines;
   json["total_length"] = length;
   json["line_sizes_before_S"] = Json::array();
-  for (const auto& [size, count] : estimation.getStatistics().line_sizes[type])
+  for (const auto& [size, count] : sizes)
     json["line_sizes_before_S"].push_back ({{"size", size}, {"lines", count}});
   return json;
 }
@@ -125,6 +127,38 @@ describe (const CrestLine& line, Preset preset)
 } // namespace
 
 bool
+writeStatistics (
+    const std::string& file,
+    const InputCloud& cloud,
+    const pcl::PointCloud<pcl::Label>& labels,
+    const Parameters& parameters,
+    const std::vector<CrestLine>& lines,
+    const pcl::CrestLineEstimation<pcl::PointNormal>::Statistics& statistics,
+    const std::vector<StageTime>& times,
+    std::string& error)
+{
+  Json json;
+  json["points"] = cloud.points->size();
+  json["invalid_points"] = countLabel (labels, LABEL_INVALID);
+  if (parameters.boundaries)
+    json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
+  json["normals"] = nameOf (cloud.normals);
+  json["mean_spacing"] = statistics.mean_spacing;
+  json["extent"] = statistics.extent;
+  json["parameters"] = describe (parameters);
+  for (const CrestType type : CREST_TYPES)
+    json[nameOf (type)] = describe (type, labels, lines, statistics.line_sizes[type]);
+  json["lines"] = Json::array();
+  for (const CrestLine& line : lines)
+    json["lines"].push_back (describe (line, parameters.preset));
+  json["milliseconds"] = Json::object();
+  for (const StageTime& time : times)
+    json["milliseconds"][time.stage] = time.milliseconds;
+  json["threads"] = threadCount (parameters.threads);
+  return replaceFile (file, json.dump (2) + "\n", error);
+}
+
+bool
 writeStatistics (const std::string& file,
                  const InputCloud& cloud,
                  const pcl::PointCloud<pcl::Label>& labels,
@@ -132,26 +166,14 @@ writeStatistics (const std::string& file,
                  const std::vector<StageTime>& times,
                  std::string& error)
 {
-  const Parameters parameters = estimation.getParameters();
-  Json json;
-  json["points"] = cloud.points->size();
-  json["invalid_points"] = countLabel (labels, LABEL_INVALID);
-  if (parameters.boundaries)
-    json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
-  json["normals"] = nameOf (cloud.normals);
-  json["mean_spacing"] = estimation.getStatistics().mean_spacing;
-  json["extent"] = estimation.getStatistics().extent;
-  json["parameters"] = describe (parameters);
-  for (const CrestType type : CREST_TYPES)
-    json[nameOf (type)] = describe (type, labels, estimation);
-  json["lines"] = Json::array();
-  for (const CrestLine& line : estimation.getLines())
-    json["lines"].push_back (describe (line, parameters.preset));
-  json["milliseconds"] = Json::object();
-  for (const StageTime& time : times)
-    json["milliseconds"][time.stage] = time.milliseconds;
-  json["threads"] = threadCount (parameters.threads);
-  return replaceFile (file, json.dump (2) + "\n", error);
+  return writeStatistics (file,
+                          cloud,
+                          labels,
+                          estimation.getParameters(),
+                          estimation.getLines(),
+                          estimation.getStatistics(),
+                          times,
+                          error);
 }
 
 } // namespace crest

@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkIdList.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyDataMapper.h>
@@ -92,6 +93,7 @@ CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
   cloud_ = cloud;
   const SurfaceSplats splats = makeSurfaceSplats (*cloud);
   lift_ = splats.radius;
+  drawn_ = splats.points;
   vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())
       ->SetInputData (splats.polygons);
   setLines ({});
@@ -109,6 +111,88 @@ CrestScene::setLines (const std::vector<CrestLine>& lines,
 {
   vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())
       ->SetInputData (makeLinePolyData (line_cloud, lines));
+  line_of_cell_.clear();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    line_of_cell_.insert (
+        line_of_cell_.end(), lines[i].polylines.size(), static_cast<int> (i));
+}
+
+void
+CrestScene::setColors (const std::vector<Color>& colors)
+{
+  vtkPolyData* const polygons =
+      vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())->GetInput();
+  if (colors.empty()) {
+    polygons->GetCellData()->SetScalars (nullptr);
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetNumberOfComponents (3);
+  for (const index_t point : drawn_)
+    scalars->InsertNextTypedTuple (colors[point].data());
+  polygons->GetCellData()->SetScalars (scalars);
+}
+
+void
+CrestScene::setSurfaceVisible (bool visible)
+{
+  surface_->SetVisibility (visible);
+}
+
+bool
+CrestScene::isSurfaceVisible() const
+{
+  return surface_->GetVisibility() != 0;
+}
+
+int
+CrestScene::pickLine (int x, int y)
+{
+  constexpr double REACH = 6.0;
+  liftLines();
+  vtkNew<vtkMatrix4x4> to_view;
+  vtkMatrix4x4::Multiply4x4 (
+      renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix (
+          renderer_->GetTiledAspectRatio(), -1.0, 1.0),
+      lines_->GetMatrix(),
+      to_view);
+  vtkPolyData* const lines =
+      vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())->GetInput();
+  const int* const size = renderer_->GetSize();
+  const Eigen::Vector2d click (x, y);
+  const auto project = [&] (vtkIdType point) {
+    std::array<double, 4> p{0.0, 0.0, 0.0, 1.0};
+    lines->GetPoint (point, p.data());
+    to_view->MultiplyPoint (p.data(), p.data());
+    return Eigen::Vector3d (0.5 * size[0] * (1.0 + p[0] / p[3]),
+                            0.5 * size[1] * (1.0 + p[1] / p[3]),
+                            p[2] / p[3]);
+  };
+
+  // Of all lines within reach the one that is nearest to the eye.
+  int picked = -1;
+  double least_depth = 1.0;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell) {
+    lines->GetCellPoints (cell, points);
+    Eigen::Vector3d end = project (points->GetId (0));
+    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i) {
+      const Eigen::Vector3d start = end;
+      end = project (points->GetId (i));
+      const Eigen::Vector2d way = (end - start).head<2>();
+      const double along = way.squaredNorm() > 0.0
+                               ? (click - start.head<2>()).dot (way) / way.squaredNorm()
+                               : 0.0;
+      const Eigen::Vector3d nearest =
+          start + std::clamp (along, 0.0, 1.0) * (end - start);
+      if ((nearest.head<2>() - click).norm() > REACH || nearest.z() >= least_depth ||
+          nearest.z() < -1.0)
+        continue;
+      least_depth = nearest.z();
+      picked = line_of_cell_[cell];
+    }
+  }
+  return picked;
 }
 
 void

@@ -132,6 +132,7 @@ makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud)
   splats.polygons->SetPoints (corners);
   splats.polygons->SetPolys (polygons);
   splats.polygons->GetPointData()->SetNormals (normals);
+  splats.points = points.cloud_index;
   splats.radius = median (radii);
   return splats;
 }

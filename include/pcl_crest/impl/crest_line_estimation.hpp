@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/impl/cloud_results.hpp>
 #include <pcl_crest/impl/neighbor_search.hpp>
 
 #include <pcl/common/io.h>
@@ -11,7 +12,6 @@
 #include <pcl/conversions.h>
 
 #include <atomic>
-#include <limits>
 
 namespace pcl {
 
@@ -26,6 +26,12 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
     return false;
   };
 
+  for (const auto& cloud : {input_, surface_})
+    if (cloud && cloud->size() > crest::PointView::MOST_POINTS)
+      return refuse ("A cloud of " + std::to_string (cloud->size()) +
+                     " points is too large for 32-bit indices, which tell " +
+                     std::to_string (crest::PointView::MOST_POINTS) +
+                     " points apart: compute it in parts that overlap");
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
   if (input_->empty())
@@ -48,6 +54,17 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   if (!surface_) {
     fake_surface_ = true;
     surface_ = input_;
+  }
+  if (analysis_) {
+    const std::string other =
+        crest::explainOtherShape (analysis_->parameters, getParameters());
+    if (!other.empty())
+      return refuse ("The analysis that is set was made with " + other +
+                     ": call setAnalysis (nullptr), or set what it was made with");
+    if (analysis_->cloud != crest::fingerprint (viewOf (*surface_)))
+      return refuse ("The analysis that is set is that of another cloud: call "
+                     "setAnalysis (nullptr) when the cloud has changed");
+    return true;
   }
   return !tree_ || prepareSearchMethod();
 }
@@ -87,34 +104,35 @@ CrestLineEstimation<PointInT, PointOutT>::viewOf (const PointCloudIn& cloud)
 }
 
 template <typename PointInT, typename PointOutT>
-void
-CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+bool
+CrestLineEstimation<PointInT, PointOutT>::locateInput (
+    const crest::OrientedPoints& points, pcl::Indices& packed) const
 {
-  const auto fail = [&output] {
-    output.clear();
-    output.width = output.height = 0;
-  };
-  const crest::Parameters parameters = getParameters();
-  std::vector<crest::StageTime> times;
-  crest::Stopwatch watch (times);
-  const crest::OrientedPoints points = crest::packOrientedPoints (viewOf (*surface_));
-  pcl::Indices packed_indices;
-  if (surface_ == input_)
+  if (surface_ == input_) {
+    packed.reserve (indices_->size());
     for (const index_t i : *indices_)
-      packed_indices.push_back (points.packed_index[i]);
-  else {
-    const index_t stranger = crest::locatePoints (
-        viewOf (*input_), *indices_, viewOf (*surface_), points, packed_indices);
-    if (stranger >= 0) {
-      PCL_ERROR ("[pcl::%s::compute] Input point %d is not a point of the search "
-                 "surface, so that it has no place in the graph of its samples.\n",
-                 getClassName().c_str(),
-                 static_cast<int> (stranger));
-      return fail();
-    }
+      packed.push_back (points.packed_index[i]);
+    return true;
   }
-  watch.stageDone ("packing");
+  const index_t stranger = crest::locatePoints (
+      viewOf (*input_), *indices_, viewOf (*surface_), points, packed);
+  if (stranger < 0)
+    return true;
+  PCL_ERROR (
+      "[pcl::%s::compute] Input point %d is not a point of the search surface, so "
+      "that it has no place in the graph of its samples.\n",
+      getClassName().c_str(),
+      static_cast<int> (stranger));
+  return false;
+}
 
+template <typename PointInT, typename PointOutT>
+bool
+CrestLineEstimation<PointInT, PointOutT>::analyze (const crest::OrientedPoints& points,
+                                                   crest::Progress& progress,
+                                                   crest::SurfaceShape& shape) const
+{
+  const crest::Parameters parameters = getParameters();
   std::atomic<bool> stale_search{false};
   const crest::NeighborSearch given_search = [&] (index_t point, pcl::Indices& found) {
     crest::findNeighbors<PointInT> (*tree_,
@@ -130,55 +148,128 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
         found[kept++] = points.packed_index[i];
     found.resize (kept);
   };
-  const crest::SurfaceShape shape =
-      tree_ ? crest::analyzeSurface (points, given_search, parameters)
-            : crest::analyzeSurface (points, parameters);
-  if (stale_search) {
+  shape = tree_ ? crest::analyzeSurface (points, given_search, parameters, &progress)
+                : crest::analyzeSurface (points, parameters, &progress);
+  if (stale_search)
     PCL_ERROR (
         "[pcl::%s::compute] The search method returned points outside the cloud: "
         "it does not search the cloud that it was given.\n",
         getClassName().c_str());
-    return fail();
-  }
-  crest::Crests crests = crest::extractCrests (points, shape, parameters);
-  times.insert (times.end(), shape.times.begin(), shape.times.end());
-  times.insert (times.end(), crests.times.begin(), crests.times.end());
+  return !stale_search;
+}
 
+template <typename PointInT, typename PointOutT>
+bool
+CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
+                                                   PointCloudOut& output)
+{
+  const crest::Parameters parameters = getParameters();
+  std::vector<crest::StageTime> times;
+  crest::Stopwatch watch (times);
+  std::shared_ptr<const crest::OrientedPoints> points;
+  std::shared_ptr<const crest::SurfaceShape> shape;
+  if (analysis_) {
+    points = analysis_->points;
+    shape = analysis_->shape;
+  }
+  else
+    points = std::make_shared<const crest::OrientedPoints> (
+        crest::packOrientedPoints (viewOf (*surface_)));
+  pcl::Indices packed_indices;
+  if (!locateInput (*points, packed_indices))
+    return false;
+  watch.stageDone ("packing");
+  std::shared_ptr<crest::SurfaceShape> analyzed;
+  if (!shape) {
+    analyzed = std::make_shared<crest::SurfaceShape>();
+    if (!analyze (*points, progress, *analyzed))
+      return false;
+    times.insert (times.end(), analyzed->times.begin(), analyzed->times.end());
+    shape = analyzed;
+  }
+
+  crest::Crests crests;
+  std::shared_ptr<const crest::Crests> traced;
+  if (analysis_ && crest::haveSameTrace (analysis_->parameters, parameters))
+    traced = analysis_->traced;
+  else if (keep_analysis_) {
+    crest::Parameters of_both = parameters;
+    of_both.wanted = {true, true};
+    traced = std::make_shared<const crest::Crests> (
+        crest::traceCrests (*points, *shape, of_both, &progress));
+    times.insert (times.end(), traced->times.begin(), traced->times.end());
+  }
+  if (traced) {
+    crests = *traced;
+    crests.times.clear();
+    crests = crest::keepLines (*points, *shape, std::move (crests), parameters);
+  }
+  else
+    crests = crest::extractCrests (*points, *shape, parameters, &progress);
+  times.insert (times.end(), crests.times.begin(), crests.times.end());
   const std::vector<crest::Label> labels =
-      crest::labelPoints (shape, crests, parameters);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
+      crest::labelPoints (*shape, crests, parameters);
+  if (keep_analysis_)
+    result_.analysis = std::make_shared<const crest::SurfaceAnalysis> (
+        crest::SurfaceAnalysis{crest::fingerprint (viewOf (*surface_)),
+                               points,
+                               shape,
+                               traced,
+                               parameters});
+  result_.statistics = {
+      shape->graph.mean_spacing, points->extent, std::move (crests.sizes), times};
+  if (analyzed && !keep_analysis_) {
+    // Outputs take the place of what is not needed any more.
+    analyzed->graph = crest::SurfaceGraph();
+    analyzed->profiles = std::vector<crest::CrestProfile>();
+  }
+  writeOutput (packed_indices, labels, shape->curvature, output);
+  result_.lines = crest::linesOfCloud (*points, std::move (crests.lines));
+  result_.line_cloud =
+      crest::cloudOfLines (*surface_, *points, result_.lines, crests.positions);
+  return true;
+}
+
+template <typename PointInT, typename PointOutT>
+void
+CrestLineEstimation<PointInT, PointOutT>::writeOutput (
+    const pcl::Indices& packed_indices,
+    const std::vector<crest::Label>& labels,
+    const std::vector<crest::PrincipalCurvature>& curvature,
+    PointCloudOut& output)
+{
   pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures = result_.curvatures;
   curvatures.header = output.header;
+  curvatures.reserve (packed_indices.size());
   for (std::size_t i = 0; i < packed_indices.size(); ++i) {
-    const index_t packed = packed_indices[i];
     pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
-    output[i].label = packed < 0 ? crest::LABEL_INVALID : labels[packed];
-    pcl::PrincipalCurvatures curvature{nan, nan, nan, nan, nan};
-    if (output[i].label != crest::LABEL_INVALID) {
-      const crest::PrincipalCurvature& c = shape.curvature[packed];
-      curvature = {c.t1.x(), c.t1.y(), c.t1.z(), c.k1, c.k2};
-    }
-    else
+    output[i].label = crest::labelAt (labels, packed_indices[i]);
+    curvatures.push_back (crest::curvatureAt (curvature, packed_indices[i]));
+    if (output[i].label == crest::LABEL_INVALID)
       curvatures.is_dense = false;
-    curvatures.push_back (curvature);
   }
   curvatures.width = output.width;
   curvatures.height = output.height;
-  result_.lines = std::move (crests.lines);
-  for (crest::CrestLine& line : result_.lines)
-    for (std::vector<index_t>& polyline : line.polylines)
-      for (index_t& point : polyline)
-        point = points.cloud_index[point];
-  const auto line_cloud = pcl::make_shared<PointCloudIn> (*surface_);
-  for (const crest::CrestLine& line : result_.lines)
-    for (const std::vector<index_t>& polyline : line.polylines)
-      for (const index_t point : polyline)
-        (*line_cloud)[point].getVector3fMap() =
-            crests.positions[points.packed_index[point]];
-  result_.line_cloud = line_cloud;
-  result_.complete = true;
-  result_.statistics = {
-      shape.graph.mean_spacing, points.extent, std::move (crests.sizes), times};
+}
+
+template <typename PointInT, typename PointOutT>
+void
+CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+{
+  crest::Progress progress (progress_callback_);
+  try {
+    result_.complete = extract (progress, output);
+  }
+  catch (const crest::Cancelled&) {
+    PCL_WARN ("[pcl::%s::compute] Cancelled by the progress callback: there is no "
+              "output.\n",
+              getClassName().c_str());
+  }
+  if (!result_.complete) {
+    result_ = Result();
+    output.clear();
+    output.width = output.height = 0;
+  }
 }
 
 template <typename PointInT, typename PointOutT>

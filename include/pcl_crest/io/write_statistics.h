@@ -20,10 +20,22 @@ namespace crest {
  * \param[in] file the path
  * \param[in] cloud the input
  * \param[in] labels the output
- * \param[in] estimation after compute
+ * \param[in] parameters, lines, statistics as CrestLineEstimation has them
  * \param[in] times of all stages that are to be listed
  * \param[out] error on failure what is wrong, naming the file
  */
+bool
+writeStatistics (
+    const std::string& file,
+    const InputCloud& cloud,
+    const pcl::PointCloud<pcl::Label>& labels,
+    const Parameters& parameters,
+    const std::vector<CrestLine>& lines,
+    const pcl::CrestLineEstimation<pcl::PointNormal>::Statistics& statistics,
+    const std::vector<StageTime>& times,
+    std::string& error);
+
+/** \brief The same for an estimation after compute. */
 bool
 writeStatistics (const std::string& file,
                  const InputCloud& cloud,

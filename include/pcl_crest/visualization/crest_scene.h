@@ -58,6 +58,26 @@ public:
   setLines (const std::vector<CrestLine>& lines,
             const pcl::PointCloud<pcl::PointNormal>& line_cloud);
 
+  /** \brief A color, red, green and blue up to 255. */
+  using Color = std::array<unsigned char, 3>;
+
+  /** \brief Colors the surface, shaded as before.
+   * \param[in] colors one for each point of the cloud shown; none for all grey
+   */
+  void
+  setColors (const std::vector<Color>& colors);
+
+  void
+  setSurfaceVisible (bool visible);
+  bool
+  isSurfaceVisible () const;
+
+  /** \brief The place among the lines of the one within a few pixels of a place in the
+   * renderer's window, or -1.
+   */
+  int
+  pickLine (int x, int y);
+
 private:
   /** \brief Brings the lines nearer to the camera by a little more than the surface's
    * uncertainty, and leaves them where they are in the picture. Lines on the far side
@@ -70,6 +90,10 @@ private:
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkActor> surface_;
   vtkNew<vtkActor> lines_;
+  /** for each polygon of the surface its point */
+  std::vector<index_t> drawn_;
+  /** for each cell of the lines its line */
+  std::vector<int> line_of_cell_;
   double lift_ = 0.0;
   unsigned long observer_ = 0;
 };

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/types.h>
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <vector>
 
 namespace pcl {
 namespace crest {
@@ -14,6 +18,8 @@ namespace crest {
 struct SurfaceSplats {
   /** one polygon per point, with normals */
   vtkSmartPointer<vtkPolyData> polygons;
+  /** for each polygon the index of its point */
+  std::vector<index_t> points;
   /** the median of the polygons' radii, in the cloud's unit */
   double radius = 0.0;
 };

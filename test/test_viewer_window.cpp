@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The viewer's window as its user works it: by keys, sliders and clicks. Needs an X
+// display.
+#include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include <vtkCallbackCommand.h>
+#include <vtkSliderRepresentation2D.h>
+
+#include "../tools/command_line.h"
+#include "../tools/viewer_window.h"
+#include "support/picture.h"
+#include "support/temporary_directory.h"
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+
+using namespace oracle;
+using namespace pcl::crest;
+
+namespace {
+
+class Window : public testing::Test {
+protected:
+  void
+  open (Preset preset)
+  {
+    pcl::io::savePCDFileBinary (input_, *cloud_);
+    Parameters parameters;
+    parameters.preset = preset;
+    parameters.batched_search = true;
+    InputCloud cloud;
+    std::string error;
+    ASSERT_TRUE (readCloud (input_, parameters.k, 0, cloud, error)) << error;
+    WindowOptions options;
+    options.input = input_;
+    options.prefix = directory_.file ("waves");
+    options.size = {SIZE, SIZE};
+    window_ = std::make_unique<ViewerWindow> (options);
+    window_->show (std::make_unique<CrestSession> (std::move (cloud), parameters));
+  }
+
+  void
+  press (char key)
+  {
+    vtkRenderWindowInteractor* const interactor = window_->getInteractor();
+    interactor->SetKeyEventInformation (0, 0, key, 1, std::string (1, key).c_str());
+    for (const auto event : {vtkCommand::KeyPressEvent,
+                             vtkCommand::CharEvent,
+                             vtkCommand::KeyReleaseEvent})
+      interactor->InvokeEvent (event);
+  }
+
+  void
+  mouse (const Eigen::Vector2d& at, unsigned long event)
+  {
+    window_->getInteractor()->SetEventInformation (static_cast<int> (at.x()),
+                                                   static_cast<int> (at.y()));
+    window_->getInteractor()->InvokeEvent (event);
+  }
+
+  /** Drags a slider to a part of its way. */
+  void
+  drag (std::size_t slider, double to)
+  {
+    auto* const shown = dynamic_cast<vtkSliderRepresentation2D*> (
+        window_->getSliders().getWidgets().at (slider)->GetRepresentation());
+    const double part = (shown->GetValue() - shown->GetMinimumValue()) /
+                        (shown->GetMaximumValue() - shown->GetMinimumValue());
+    const auto place = [shown] (double along) {
+      const double* const a = shown->GetPoint1Coordinate()->GetValue();
+      const double* const b = shown->GetPoint2Coordinate()->GetValue();
+      // The tube ends a slider's half before its points.
+      const double inner = 0.04 + 0.92 * along;
+      return Eigen::Vector2d (SIZE * (a[0] + inner * (b[0] - a[0])), SIZE * a[1]);
+    };
+    mouse (place (part), vtkCommand::MouseMoveEvent);
+    mouse (place (part), vtkCommand::LeftButtonPressEvent);
+    mouse (place (0.5 * (part + to)), vtkCommand::MouseMoveEvent);
+    mouse (place (to), vtkCommand::MouseMoveEvent);
+    mouse (place (to), vtkCommand::LeftButtonReleaseEvent);
+  }
+
+  Picture
+  picture ()
+  {
+    press ('p');
+    return Picture (contentOf (directory_.file ("waves.png")));
+  }
+
+  /** Whether the files exported are those that the command line exported writes. */
+  void
+  expectExportOfLineTool ()
+  {
+    press ('e');
+    const std::string prefix = directory_.file ("waves");
+    const auto contents = [&] {
+      auto json = nlohmann::json::parse (contentOf (prefix + "_statistics.json"));
+      json.erase ("milliseconds");
+      return std::vector<std::string>{json.dump (1),
+                                      contentOf (prefix + "_labels.pcd"),
+                                      contentOf (prefix + "_lines.ply")};
+    };
+    const std::vector<std::string> exported = contents();
+    for (const char* file : {"_labels.pcd", "_lines.ply", "_statistics.json"})
+      std::filesystem::remove (prefix + file);
+    std::string command = contentOf (prefix + "_command.txt");
+    command.replace (0, command.find (' '), quoted (PCL_CREST_LINE_TOOL));
+    command.back() = ' ';
+    ASSERT_EQ (std::system ((command + ">/dev/null").c_str()), 0) << command;
+    EXPECT_EQ (contents(), exported) << command;
+  }
+
+  const TemporaryDirectory directory_;
+  const std::string input_ = directory_.file ("waves.pcd");
+  const pcl::PointCloud<pcl::PointNormal>::Ptr cloud_ = waves();
+  std::unique_ptr<ViewerWindow> window_;
+};
+
+bool
+isColored (const std::array<int, 3>& pixel)
+{
+  const auto [low, high] = std::minmax_element (pixel.begin(), pixel.end());
+  return *high - *low > 40;
+}
+
+} // namespace
+
+TEST_F (Window, SlidersOfThePaper)
+{
+  open (Preset::PAPER);
+  const CrestSession& session = window_->getSession();
+  const std::size_t lines = session.getLines().size();
+  ASSERT_GT (lines, 0U);
+  drag (0, 0.3);
+  const double ridge = session.getParameters().maximality.ridge;
+  EXPECT_NE (ridge, Parameters().maximality.ridge);
+  EXPECT_EQ (session.getParameters().maximality.valley, 0.01);
+  EXPECT_NE (window_->getMessage().find (" ms"), std::string::npos);
+  drag (1, 1.0);
+  EXPECT_GT (session.getParameters().maximality.valley, 500.0);
+  EXPECT_LT (session.getLines().size(), lines);
+  drag (2, 0.5);
+  EXPECT_NEAR (session.getParameters().min_size.ridge.value_or (0), 50, 8);
+  expectExportOfLineTool();
+}
+
+TEST_F (Window, SlidersOfTheAutoPreset)
+{
+  open (Preset::AUTO);
+  const CrestSession& session = window_->getSession();
+  const std::size_t lines = session.getLines().size();
+  drag (0, 0.1);
+  EXPECT_NEAR (session.getParameters().angle, 9.0, 4.0);
+  drag (3, 0.2);
+  drag (4, 0.9);
+  EXPECT_GT (session.getParameters().min_strength, 0.0);
+  EXPECT_LE (session.getLines().size(), lines);
+  expectExportOfLineTool();
+}
+
+TEST_F (Window, KeysShowAndHide)
+{
+  open (Preset::AUTO);
+  const Picture first = picture();
+  EXPECT_GT (count (first, isBlue), 300);
+  EXPECT_GT (count (first, isRed), 300);
+  press ('i');
+  EXPECT_LT (count (picture(), isBlue), 20);
+  expectExportOfLineTool();
+  press ('v');
+  EXPECT_NE (window_->getMessage().find ("at least one"), std::string::npos);
+  press ('i');
+  press ('v');
+  EXPECT_LT (count (picture(), isRed), 20);
+  EXPECT_GT (count (picture(), isBlue), 300);
+  press ('n');
+  EXPECT_GT (count (picture(), isWhite), SIZE * SIZE * 8 / 10);
+  press ('n');
+  press ('v');
+  const int before = count (picture(), isColored);
+  for (const char mode : {'2', '3', '4', '5'}) {
+    press (mode);
+    EXPECT_GT (count (picture(), isColored), before + 100) << mode;
+  }
+  press ('1');
+  // The text at the bottom, which changes, runs over the ends of lines.
+  EXPECT_NEAR (count (picture(), isColored), before, 50);
+}
+
+TEST_F (Window, ChartHasBarsOfBothTypes)
+{
+  open (Preset::AUTO);
+  const auto inCorner = [] (const Picture& shown, PixelTest& test) {
+    int pixels = 0;
+    for (int y = SIZE * 65 / 100; y < SIZE; ++y)
+      for (int x = SIZE * 65 / 100; x < SIZE; ++x)
+        pixels += test (shown (x, y)) ? 1 : 0;
+    return pixels;
+  };
+  const Picture without = picture();
+  press ('t');
+  const Picture with = picture();
+  EXPECT_GT (inCorner (with, isWhite), inCorner (without, isWhite) + 1000);
+  EXPECT_GT (inCorner (with, isBlue), 50);
+  EXPECT_GT (inCorner (with, isRed), 50);
+  press ('y');
+  EXPECT_GT (inCorner (picture(), isBlue), 50);
+  press ('t');
+  EXPECT_EQ (inCorner (picture(), isWhite), inCorner (without, isWhite));
+}
+
+TEST_F (Window, ClickTellsOfALine)
+{
+  open (Preset::AUTO);
+  window_->getInteractor()->Render();
+  const View view = fitView (*cloud_, {SIZE, SIZE});
+  const auto click = [&] (double shift) {
+    const double y = 0.4;
+    const double z = 0.1 * std::cos (2.0 * M_PI * shift);
+    const Eigen::Vector2d at = project (view, {windingOf (y) + shift, y, z});
+    mouse (at, vtkCommand::LeftButtonPressEvent);
+    mouse (at, vtkCommand::LeftButtonReleaseEvent);
+    return window_->getMessage();
+  };
+  EXPECT_EQ (click (0.0).find ("ridge of "), 0U) << window_->getMessage();
+  EXPECT_NE (window_->getMessage().find ("strength"), std::string::npos);
+  EXPECT_EQ (click (0.5).find ("valley of "), 0U) << window_->getMessage();
+}
+
+// PCL's event loop does not end where the process has had another window before: each
+// of these cases has a process of its own.
+class WindowDeathTest : public testing::Test {
+protected:
+  void
+  SetUp () override
+  {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+  }
+};
+
+TEST_F (WindowDeathTest, ReportsWhatCannotBeLoaded)
+{
+  const auto run = [] {
+    WindowOptions options;
+    options.size = {SIZE, SIZE};
+    ViewerWindow window (options);
+    std::string error;
+    const bool done = window.run (
+        [] (const ViewerWindow::Tell& tell, std::string& why) {
+          tell ("reading");
+          why = "no such cloud";
+          return std::unique_ptr<CrestSession>();
+        },
+        error);
+    std::_Exit (done && error == "no such cloud" ? 0 : 1);
+  };
+  EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
+}
+
+TEST_F (WindowDeathTest, ClosesDuringWork)
+{
+  const auto run = [] {
+    WindowOptions options;
+    options.size = {SIZE, SIZE};
+    ViewerWindow window (options);
+    // The user presses q when the window says what is being done.
+    vtkNew<vtkCallbackCommand> quit;
+    quit->SetClientData (&window);
+    quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
+      auto* const waiting = static_cast<ViewerWindow*> (data);
+      if (waiting->getMessage() == "endless work ...")
+        waiting->getInteractor()->ExitCallback();
+    });
+    window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit);
+    std::string error;
+    const bool done = window.run (
+        [] (const ViewerWindow::Tell& tell, std::string&) {
+          tell ("endless work");
+          std::promise<std::unique_ptr<CrestSession>> never;
+          return never.get_future().get();
+        },
+        error);
+    std::_Exit (done ? 1 : 0);
+  };
+  EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
+}

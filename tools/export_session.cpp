@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "export_session.h"
+
+#include <pcl_crest/io/output_file.h>
+#include <pcl_crest/io/write_labels.h>
+#include <pcl_crest/io/write_lines.h>
+#include <pcl_crest/io/write_statistics.h>
+
+#include "command_line.h"
+
+namespace pcl {
+namespace crest {
+
+bool
+exportSession (const CrestSession& session,
+               const std::string& input,
+               const std::string& prefix,
+               std::string& error)
+{
+  const InputCloud& cloud = session.getCloud();
+  const pcl::PointCloud<pcl::Label> labels = session.labels();
+  const std::string labels_file = prefix + "_labels.pcd";
+  const std::string lines_file = prefix + "_lines.ply";
+  const std::string statistics_file = prefix + "_statistics.json";
+  const std::string command = "pcl_crest_line_estimation " + quoted (input) + " " +
+                              quoted (labels_file) + " -lines " + quoted (lines_file) +
+                              " -stats " + quoted (statistics_file) +
+                              optionsOf (session.getParameters()) + "\n";
+  return writeLabels (
+             labels_file, *cloud.points, labels, session.curvatures(), error) &&
+         writeLines (lines_file, session.lineCloud(), session.getLines(), error) &&
+         writeStatistics (statistics_file,
+                          cloud,
+                          labels,
+                          session.getParameters(),
+                          session.getLines(),
+                          session.getStatistics(),
+                          session.getStatistics().times,
+                          error) &&
+         replaceFile (prefix + "_command.txt", command, error);
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "point_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+constexpr CrestScene::Color GREY{217, 217, 217};
+
+CrestScene::Color
+colorOfLabel (std::uint32_t label)
+{
+  switch (label) {
+  case LABEL_RIDGE:
+    return {70, 110, 240};
+  case LABEL_VALLEY:
+    return {240, 80, 70};
+  case LABEL_RIDGE_GROWN:
+    return {165, 190, 250};
+  case LABEL_VALLEY_GROWN:
+    return {250, 185, 175};
+  case LABEL_INVALID:
+    return {90, 90, 90};
+  case LABEL_BOUNDARY:
+    return {240, 190, 40};
+  default:
+    return GREY;
+  }
+}
+
+/** \brief What 95 of 100 absolute values stay below. */
+double
+usualLargest (std::vector<float> values)
+{
+  for (float& value : values)
+    value = std::isfinite (value) ? std::abs (value) : 0.0F;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t> (values.size() * 95 / 100);
+  std::nth_element (values.begin(), place, values.end());
+  return *place;
+}
+
+} // namespace
+
+CrestScene::Color
+colorOf (double part)
+{
+  constexpr CrestScene::Color BLUE{20, 60, 220};
+  constexpr CrestScene::Color RED{220, 30, 20};
+  const double t = std::isfinite (part) ? std::clamp (part, -1.0, 1.0) : 0.0;
+  const CrestScene::Color& end = t < 0.0 ? RED : BLUE;
+  CrestScene::Color color{};
+  for (std::size_t i = 0; i < 3; ++i)
+    color[i] = static_cast<unsigned char> (
+        std::lround (GREY[i] + std::abs (t) * (end[i] - GREY[i])));
+  return color;
+}
+
+PointColors
+colorPoints (const CrestSession& session, ColorMode mode)
+{
+  PointColors result;
+  if (mode == ColorMode::SHADED)
+    return result;
+  if (mode == ColorMode::LABEL) {
+    result.title = "labels";
+    for (const pcl::Label& label : session.labels())
+      result.colors.push_back (colorOfLabel (label.label));
+    return result;
+  }
+  if (mode == ColorMode::BOUNDARY) {
+    result.title = "boundary";
+    for (const index_t point : session.getPoints().packed_index)
+      result.colors.push_back (point != OrientedPoints::INVALID &&
+                                       session.getShape().graph.boundary[point] != 0
+                                   ? colorOfLabel (LABEL_BOUNDARY)
+                                   : GREY);
+    return result;
+  }
+  std::vector<float> values;
+  for (const pcl::PrincipalCurvatures& curvature : session.curvatures())
+    values.push_back (mode == ColorMode::K1 ? curvature.pc1 : curvature.pc2);
+  result.title = mode == ColorMode::K1 ? "k1" : "k2";
+  result.largest = usualLargest (values);
+  for (const float value : values)
+    result.colors.push_back (
+        colorOf (result.largest > 0.0 ? value / result.largest : 0.0));
+  return result;
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkRenderWindowInteractor.h>
+#include <vtkSliderWidget.h>
+#include <vtkSmartPointer.h>
+
+#include "thresholds.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief A slider for each threshold, one above the other at the lower left. */
+class Sliders {
+public:
+  /** \brief Called with a threshold that was moved and its place on the slider. */
+  using Moved = std::function<void (const Threshold&, double place)>;
+
+  /** \brief Shows the sliders.
+   * \param[in] moved called while the mouse moves for what only filters, and when it
+   * is let go for all
+   */
+  Sliders (vtkRenderWindowInteractor* interactor,
+           std::vector<Threshold> thresholds,
+           const Parameters& parameters,
+           Moved moved);
+  ~Sliders();
+  Sliders (const Sliders&) = delete;
+  Sliders&
+  operator= (const Sliders&) = delete;
+
+  /** \brief Whether a threshold that repeats stages may follow the mouse, too. */
+  void
+  setFast (bool fast)
+  {
+    fast_ = fast;
+  }
+
+  const std::vector<vtkSmartPointer<vtkSliderWidget>>&
+  getWidgets () const
+  {
+    return widgets_;
+  }
+
+private:
+  void
+  dragged (vtkObject* widget, unsigned long event, void* data);
+  void
+  label (std::size_t slider);
+
+  std::vector<Threshold> thresholds_;
+  Moved moved_;
+  Parameters parameters_;
+  bool fast_ = false;
+  std::vector<vtkSmartPointer<vtkSliderWidget>> widgets_;
+};
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "thresholds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+double
+rounded (double number)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text.precision (3);
+  text << number;
+  std::istringstream back (text.str());
+  back.imbue (std::locale::classic());
+  back >> number;
+  return number;
+}
+
+Threshold
+maximality (const std::string& title, CrestType type)
+{
+  return {title,
+          1e-4,
+          1e3,
+          true,
+          false,
+          [type] (const Parameters& p) { return p.maximality[type]; },
+          [type] (Parameters& p, double value) { p.maximality[type] = value; }};
+}
+
+Threshold
+plain (const std::string& title,
+       double most,
+       bool only_filters,
+       double Parameters::*number)
+{
+  return {title,
+          0.0,
+          most,
+          false,
+          only_filters,
+          [number] (const Parameters& p) { return p.*number; },
+          [number] (Parameters& p, double value) { p.*number = value; }};
+}
+
+} // namespace
+
+std::vector<Threshold>
+thresholdsOf (Preset preset, double strongest)
+{
+  std::vector<Threshold> thresholds;
+  if (preset == Preset::PAPER)
+    thresholds = {maximality ("M of ridges", CrestType::RIDGE),
+                  maximality ("M of valleys", CrestType::VALLEY)};
+  else
+    thresholds = {
+        plain ("angle [degrees]", 90.0, false, &Parameters::angle),
+        plain ("least length [spacings]", 50.0, false, &Parameters::min_length),
+        plain ("confidence", 10.0, false, &Parameters::confidence)};
+  thresholds.push_back (
+      {"S [points]",
+       0.0,
+       100.0,
+       false,
+       true,
+       [] (const Parameters& p) { return minSize (p, CrestType::RIDGE); },
+       [] (Parameters& p, double value) {
+         const int size = static_cast<int> (std::lround (value));
+         p.min_size = {size, size};
+       }});
+  if (preset == Preset::AUTO)
+    thresholds.push_back (plain (
+        "strength", std::max (1.0, 0.5 * strongest), true, &Parameters::min_strength));
+  return thresholds;
+}
+
+double
+sliderPlace (const Threshold& threshold, const Parameters& parameters)
+{
+  const double value =
+      std::clamp (threshold.get (parameters), threshold.least, threshold.most);
+  return threshold.logarithmic ? std::log10 (value) : value;
+}
+
+void
+takeSliderPlace (const Threshold& threshold, double place, Parameters& parameters)
+{
+  threshold.set (parameters,
+                 rounded (threshold.logarithmic ? std::pow (10.0, place) : place));
+}
+
+} // namespace crest
+} // namespace pcl

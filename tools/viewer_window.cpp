@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer_window.h"
+
+#include <pcl_crest/io/output_file.h>
+#include <pcl_crest/visualization/picture.h>
+
+#include <vtkCommand.h>
+#include <vtkLookupTable.h>
+#include <vtkTextProperty.h>
+
+#include "export_session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+// Before the interactor's style, whose keys of the same name ours take the place of.
+constexpr float FIRST = 2.0F;
+/** A threshold that repeats stages follows the mouse if they take no longer. */
+constexpr double FAST_MILLISECONDS = 60.0;
+constexpr int POLL_MILLISECONDS = 50;
+
+/** \brief Takes keys before the interactor's style does, which gets the others. */
+class KeyCommand : public vtkCommand {
+public:
+  static KeyCommand*
+  New ()
+  {
+    return new KeyCommand;
+  }
+  void
+  Execute (vtkObject*, unsigned long event, void*) override
+  {
+    if (take (event))
+      AbortFlagOn();
+  }
+  std::function<bool (unsigned long)> take;
+};
+
+} // namespace
+
+std::string
+ViewerWindow::keys()
+{
+  return "  1 2 3 4 5   color by: nothing, label, k1, k2, boundary\n"
+         "  i, v        ridges, valleys on and off\n"
+         "  n           points on and off\n"
+         "  t, y        chart of line sizes on and off, its logarithm\n"
+         "  p           save a picture\n"
+         "  e           export labels, lines, statistics and the command line for "
+         "them\n"
+         "  click       on a line tells its type, size, length and strength\n";
+}
+
+ViewerWindow::ViewerWindow (const WindowOptions& options)
+: options_ (options)
+, window_ (vtkSmartPointer<vtkRenderWindow>::New())
+, viewer_ (std::make_unique<pcl::visualization::PCLVisualizer> (
+      scene_.getRenderer(), window_, "pcl_crest_viewer " + options.input))
+, chart_ (scene_.getRenderer())
+{
+  viewer_->setShowFPS (false);
+  viewer_->setSize (options_.size.x(), options_.size.y());
+  if (options_.view)
+    viewer_->setPosition (options_.view->window_position.x(),
+                          options_.view->window_position.y());
+  text_->GetTextProperty()->SetColor (0.0, 0.0, 0.0);
+  text_->GetTextProperty()->SetFontSize (16);
+  text_->SetPosition (12, 12);
+  text_->SetInput (" ");
+  scene_.getRenderer()->AddActor (text_);
+  bar_->SetNumberOfLabels (5);
+  bar_->SetPosition (0.9, 0.1);
+  bar_->SetWidth (0.08);
+  bar_->SetHeight (0.4);
+  bar_->UnconstrainedFontSizeOn();
+  bar_->SetLabelFormat ("%-#.3g");
+  for (vtkTextProperty* const property :
+       {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
+    property->SetColor (0.0, 0.0, 0.0);
+    property->SetFontSize (14);
+    property->BoldOff();
+    property->ItalicOff();
+    property->ShadowOff();
+  }
+  bar_->VisibilityOff();
+  scene_.getRenderer()->AddActor (bar_);
+  chart_.setVisible (options_.chart);
+
+  vtkRenderWindowInteractor* const interactor = getInteractor();
+  for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent}) {
+    vtkNew<KeyCommand> command;
+    command->take = [this] (unsigned long id) { return keyPressed (id); };
+    interactor->AddObserver (event, command, FIRST);
+  }
+  // Between press and release the style has the mouse for itself: it passes both on.
+  viewer_->registerMouseCallback (
+      [this] (const pcl::visualization::MouseEvent& event) { mouseMoved (event); });
+  interactor->AddObserver (vtkCommand::TimerEvent, this, &ViewerWindow::poll, FIRST);
+}
+
+ViewerWindow::~ViewerWindow()
+{
+  sliders_.reset();
+  for (const auto event :
+       {vtkCommand::KeyPressEvent, vtkCommand::CharEvent, vtkCommand::TimerEvent})
+    getInteractor()->RemoveObservers (event);
+}
+
+vtkRenderWindowInteractor*
+ViewerWindow::getInteractor()
+{
+  return window_->GetInteractor();
+}
+
+void
+ViewerWindow::show (std::unique_ptr<CrestSession> session)
+{
+  session_ = std::move (session);
+  const auto& cloud = session_->getCloud().points;
+  scene_.setCloud (cloud);
+  setCamera (options_.view ? *options_.view : fitView (*cloud, options_.size),
+             *scene_.getRenderer()->GetActiveCamera());
+  double strongest = 0.0;
+  for (const CrestLine& line : session_->getLines())
+    strongest = std::max (strongest, line.strength);
+  sliders_ = std::make_unique<Sliders> (
+      getInteractor(),
+      thresholdsOf (session_->getParameters().preset, strongest),
+      session_->getParameters(),
+      [this] (const Threshold& threshold, double place) {
+        change ([&] (Parameters& p) { takeSliderPlace (threshold, place, p); });
+      });
+  redraw();
+  say ("h lists the keys");
+}
+
+bool
+ViewerWindow::run (const Load& load, std::string& error)
+{
+  const auto tell = [this] (const std::string& stage) {
+    const std::lock_guard<std::mutex> lock (stage_mutex_);
+    stage_ = stage;
+  };
+  loading_ = std::async (std::launch::async,
+                         [this, load, tell] { return load (tell, load_error_); });
+  scene_.getRenderer()->ResetCamera();
+  window_->Render();
+  getInteractor()->CreateRepeatingTimer (POLL_MILLISECONDS);
+  viewer_->spin();
+  if (loading_.valid())
+    return false;
+  error = load_error_;
+  return true;
+}
+
+void
+ViewerWindow::poll (vtkObject*, unsigned long, void*)
+{
+  if (!loading_.valid())
+    return;
+  if (loading_.wait_for (std::chrono::seconds (0)) != std::future_status::ready) {
+    std::string stage;
+    {
+      const std::lock_guard<std::mutex> lock (stage_mutex_);
+      stage = stage_;
+    }
+    if (message_ != stage + " ...")
+      say (stage + " ...");
+    return;
+  }
+  std::unique_ptr<CrestSession> session = loading_.get();
+  if (session)
+    show (std::move (session));
+  else
+    getInteractor()->ExitCallback();
+}
+
+bool
+ViewerWindow::keyPressed (unsigned long event)
+{
+  vtkRenderWindowInteractor* const interactor = getInteractor();
+  if (interactor->GetControlKey() != 0 || interactor->GetAltKey() != 0)
+    return false;
+  const char key = interactor->GetKeyCode();
+  const bool pressed = event == vtkCommand::KeyPressEvent;
+  if (key == 'h' && pressed)
+    std::cout << "Keys of pcl_crest_viewer, before those of pcl_viewer:\n" << keys();
+  if (key == '\0' || std::string ("12345ivntype").find (key) == std::string::npos)
+    return false;
+  if (pressed && session_)
+    act (key);
+  return true;
+}
+
+void
+ViewerWindow::act (char key)
+{
+  std::string error;
+  switch (key) {
+  case 'i':
+  case 'v': {
+    const CrestType type = key == 'i' ? CrestType::RIDGE : CrestType::VALLEY;
+    return change ([type] (Parameters& p) { p.wanted[type] = !p.wanted[type]; });
+  }
+  case 'n':
+    scene_.setSurfaceVisible (!scene_.isSurfaceVisible());
+    break;
+  case 't':
+    chart_.setVisible (!chart_.isVisible());
+    break;
+  case 'y':
+    chart_.setLogarithmic (!chart_.isLogarithmic());
+    break;
+  case 'p':
+    if (replaceFile (options_.prefix + ".png", renderPicture (*window_), error))
+      return say ("saved " + options_.prefix + ".png");
+    return say (error);
+  case 'e':
+    if (exportSession (*session_, options_.input, options_.prefix, error))
+      return say ("exported " + options_.prefix + "_*");
+    return say (error);
+  default:
+    mode_ = static_cast<ColorMode> (key - '1');
+    recolor();
+  }
+  window_->Render();
+}
+
+void
+ViewerWindow::change (const std::function<void (Parameters&)>& edit)
+{
+  Parameters parameters = session_->getParameters();
+  edit (parameters);
+  const std::string invalid = explainInvalid (parameters);
+  if (!invalid.empty())
+    return say (invalid);
+  const auto start = std::chrono::steady_clock::now();
+  session_->setThresholds (parameters);
+  redraw();
+  const double took = std::chrono::duration<double, std::milli> (
+                          std::chrono::steady_clock::now() - start)
+                          .count();
+  const auto& times = session_->getStatistics().times;
+  if (!times.empty() && times.front().stage == "crest points")
+    sliders_->setFast (took < FAST_MILLISECONDS);
+  std::ostringstream text;
+  text << "updated in " << std::fixed << std::setprecision (1) << took << " ms";
+  say (text.str());
+}
+
+void
+ViewerWindow::redraw()
+{
+  const Parameters& parameters = session_->getParameters();
+  scene_.setLines (session_->getLines(), session_->lineCloud());
+  chart_.setSizes (session_->getStatistics().line_sizes,
+                   {minSize (parameters, CrestType::RIDGE),
+                    minSize (parameters, CrestType::VALLEY)});
+  if (mode_ == ColorMode::LABEL)
+    recolor();
+}
+
+void
+ViewerWindow::recolor()
+{
+  const PointColors colors = colorPoints (*session_, mode_);
+  scene_.setColors (colors.colors);
+  bar_->SetVisibility (colors.largest > 0.0);
+  bar_->SetTitle (colors.title.c_str());
+  constexpr int SHADES = 64;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues (SHADES);
+  for (int i = 0; i < SHADES; ++i) {
+    const CrestScene::Color color = colorOf (2.0 * i / (SHADES - 1) - 1.0);
+    table->SetTableValue (i, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+  }
+  table->SetTableRange (-colors.largest, colors.largest);
+  bar_->SetLookupTable (table);
+}
+
+void
+ViewerWindow::mouseMoved (const pcl::visualization::MouseEvent& event)
+{
+  using pcl::visualization::MouseEvent;
+  const std::array<int, 2> at{static_cast<int> (event.getX()),
+                              static_cast<int> (event.getY())};
+  if (event.getButton() != MouseEvent::LeftButton)
+    return;
+  if (event.getType() == MouseEvent::MouseButtonPress)
+    pressed_ = at;
+  else if (event.getType() == MouseEvent::MouseButtonRelease && session_ &&
+           pressed_ == at)
+    describeLineAt (at[0], at[1]);
+}
+
+void
+ViewerWindow::describeLineAt (int x, int y)
+{
+  const int picked = scene_.pickLine (x, y);
+  if (picked < 0)
+    return;
+  const CrestLine& line = session_->getLines()[picked];
+  std::ostringstream text;
+  text.precision (4);
+  text << (line.type == CrestType::RIDGE ? "ridge" : "valley") << " of " << line.size
+       << " points, length " << line.length << ", strength " << line.strength;
+  if (line.turning_angle > 0.0)
+    text << ", turns by " << line.turning_angle << " degrees";
+  say (text.str());
+}
+
+void
+ViewerWindow::say (const std::string& message)
+{
+  message_ = message;
+  std::string text = message;
+  if (session_) {
+    std::size_t ridges = 0;
+    for (const CrestLine& line : session_->getLines())
+      ridges += line.type == CrestType::RIDGE ? 1 : 0;
+    text = std::to_string (ridges) + " ridges, " +
+           std::to_string (session_->getLines().size() - ridges) + " valleys; " + text;
+  }
+  text_->SetInput (text.c_str());
+  window_->Render();
+}
+
+} // namespace crest
+} // namespace pcl

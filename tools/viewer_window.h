@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The viewer's window: what keys, sliders and clicks do.
+#pragma once
+
+#include <pcl_crest/visualization/size_chart.h>
+#include <pcl_crest/visualization/view.h>
+
+#include <pcl/visualization/pcl_visualizer.h>
+
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+
+#include "point_colors.h"
+#include "sliders.h"
+
+#include <future>
+#include <mutex>
+#include <optional>
+
+namespace pcl {
+namespace crest {
+
+/** \brief What the window opens with. */
+struct WindowOptions {
+  std::string input;
+  /** of the names of files that are saved */
+  std::string prefix;
+  Eigen::Vector2i size{1200, 1200};
+  /** else the view is fitted to the cloud */
+  std::optional<View> view;
+  bool chart = false;
+};
+
+/** \brief A window in the way of pcl_viewer that shows a session, and keys of its own.
+ */
+class ViewerWindow {
+public:
+  /** \brief Long work: makes the session, telling what comes next; none, with what is
+   * wrong, on failure. Runs in a thread of its own. */
+  using Tell = std::function<void (const std::string&)>;
+  using Load = std::function<std::unique_ptr<CrestSession> (const Tell& tell,
+                                                            std::string& error)>;
+
+  explicit ViewerWindow (const WindowOptions& options);
+  ~ViewerWindow();
+  ViewerWindow (const ViewerWindow&) = delete;
+  ViewerWindow&
+  operator= (const ViewerWindow&) = delete;
+
+  /** \brief Shows a session. */
+  void
+  show (std::unique_ptr<CrestSession> session);
+
+  /** \brief Opens the window, responsive while the session is loaded, until the user
+   * closes it.
+   * \param[out] error what went wrong with loading, if it did
+   * \return whether all of the work was done; if not, it still goes on
+   */
+  bool
+  run (const Load& load, std::string& error);
+
+  vtkRenderWindowInteractor*
+  getInteractor ();
+  const CrestSession&
+  getSession () const
+  {
+    return *session_;
+  }
+  const Sliders&
+  getSliders () const
+  {
+    return *sliders_;
+  }
+  /** \brief The last line of text about what was clicked, saved or went wrong. */
+  const std::string&
+  getMessage () const
+  {
+    return message_;
+  }
+
+  /** \brief What -h and the key h say. */
+  static std::string
+  keys ();
+
+private:
+  /** \brief Returns whether the key is one of ours. */
+  bool
+  keyPressed (unsigned long event);
+  void
+  act (char key);
+  void
+  change (const std::function<void (Parameters&)>& edit);
+  void
+  redraw ();
+  void
+  recolor ();
+  void
+  mouseMoved (const pcl::visualization::MouseEvent& event);
+  void
+  describeLineAt (int x, int y);
+  void
+  say (const std::string& message);
+  void
+  poll (vtkObject* caller, unsigned long event, void* data);
+
+  WindowOptions options_;
+  CrestScene scene_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
+  std::unique_ptr<CrestSession> session_;
+  std::unique_ptr<Sliders> sliders_;
+  SizeChart chart_;
+  vtkNew<vtkTextActor> text_;
+  vtkNew<vtkScalarBarActor> bar_;
+  ColorMode mode_ = ColorMode::SHADED;
+  std::string message_;
+  std::array<int, 2> pressed_{};
+
+  std::future<std::unique_ptr<CrestSession>> loading_;
+  std::mutex stage_mutex_;
+  std::string stage_;
+  std::string load_error_;
+};
+
+} // namespace crest
+} // namespace pcl
