@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the extraction of crest lines takes, beside what its users would run instead.
 // For docs/performance.md; ./scripts/benchmark runs it.
-#include <pcl_crest/io/parse_number.h>
-#include <pcl_crest/io/read_cloud.h>
-
 #include "performance_clouds.h"
 #include "performance_work.h"
 #include <benchmark/benchmark.h>
@@ -17,9 +14,11 @@ using performance::Work;
 namespace {
 
 constexpr char USAGE[] =
-    "Usage: crest_benchmark [NAME=FILE | NAME=POINTS]... [--benchmark_...]\n"
+    "Usage: crest_benchmark [--shuffle] [NAME=FILE | NAME=POINTS]... "
+    "[--benchmark_...]\n"
     "Measures the clouds of files, and waves of so many points, each by its name in\n"
-    "the results. --benchmark_filter=REGEX chooses among NAME/WORK/THREADS.\n";
+    "the results; with --shuffle those that follow it in random order, too, as\n"
+    "NAME_shuffled. --benchmark_filter=REGEX chooses among NAME/WORK/THREADS.\n";
 
 /** \brief Runs a work as often as Google Benchmark asks. */
 void
@@ -43,8 +42,13 @@ main (int argc, char** argv)
 {
   benchmark::Initialize (&argc, argv);
   std::vector<Cloud> clouds;
+  bool shuffle = false;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
+    if (argument == "--shuffle") {
+      shuffle = true;
+      continue;
+    }
     const std::size_t equals = argument.find ('=');
     Cloud cloud;
     std::string error;
@@ -57,7 +61,10 @@ main (int argc, char** argv)
       std::cerr << "crest_benchmark: " << error << "\n" << USAGE;
       return 1;
     }
-    clouds.push_back (std::move (cloud));
+    clouds.push_back (cloud);
+    if (shuffle)
+      clouds.push_back (
+          {cloud.name + "_shuffled", performance::shuffled (*cloud.points)});
   }
   for (const Cloud& cloud : clouds)
     for (const Work& work : performance::listWork())

@@ -13,8 +13,6 @@ namespace performance {
 
 namespace {
 
-using PointCloud = pcl::PointCloud<pcl::PointNormal>;
-
 /** \brief About `count` points row by row on z = A sin (x) sin (y), which has the same
  * number of points to a wave whatever the count: the sheet grows with it.
  */
@@ -62,11 +60,16 @@ makeCloud (const std::string& name, const std::string& source, Cloud& cloud)
       return error;
     cloud.points = input.points;
   }
-  const auto shuffled = pcl::make_shared<PointCloud> (*cloud.points);
-  // NOLINTNEXTLINE(cert-msc32-c,cert-msc51-cpp): the same each time
-  std::shuffle (shuffled->begin(), shuffled->end(), std::mt19937 (2));
-  cloud.shuffled = shuffled;
   return {};
+}
+
+PointCloud::ConstPtr
+shuffled (const PointCloud& cloud)
+{
+  auto result = pcl::make_shared<PointCloud> (cloud);
+  // NOLINTNEXTLINE(cert-msc32-c,cert-msc51-cpp): the same each time
+  std::shuffle (result->begin(), result->end(), std::mt19937 (2));
+  return result;
 }
 
 } // namespace performance

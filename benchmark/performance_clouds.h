@@ -9,12 +9,16 @@
 
 namespace performance {
 
+using PointCloud = pcl::PointCloud<pcl::PointNormal>;
+
 struct Cloud {
   std::string name;
-  pcl::PointCloud<pcl::PointNormal>::ConstPtr points;
-  /** the same points in random order */
-  pcl::PointCloud<pcl::PointNormal>::ConstPtr shuffled;
+  PointCloud::ConstPtr points;
 };
+
+/** \brief The same points in random order, always the same. */
+PointCloud::ConstPtr
+shuffled (const PointCloud& cloud);
 
 /** \brief A cloud from a file, or waves of so many points.
  * \param[in] source the path, or the number

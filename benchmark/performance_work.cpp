@@ -24,7 +24,6 @@ using pcl::PointNormal;
 using pcl::crest::Parameters;
 using pcl::crest::Preset;
 using pcl::crest::Simd;
-using PointCloud = pcl::PointCloud<PointNormal>;
 
 int
 neighborCount ()
@@ -35,7 +34,6 @@ neighborCount ()
 struct OurRun {
   Preset preset;
   bool batched;
-  bool shuffled;
 };
 
 Counters
@@ -46,7 +44,7 @@ extractLines (const OurRun& how, const Cloud& cloud, unsigned threads)
   parameters.batched_search = how.batched;
   parameters.threads = threads;
   pcl::CrestLineEstimation<PointNormal> estimation;
-  estimation.setInputCloud (how.shuffled ? cloud.shuffled : cloud.points);
+  estimation.setInputCloud (cloud.points);
   estimation.setParameters (parameters);
   pcl::PointCloud<pcl::Label> labels;
   estimation.compute (labels);
@@ -263,13 +261,11 @@ listWork ()
 {
   static const std::vector<Work> all = [] {
     std::vector<Work> list{
-        ours ("paper", {Preset::PAPER, true, false}),
-        ours ("paper_shuffled", {Preset::PAPER, true, true}),
-        ours ("paper_kdtree", {Preset::PAPER, false, false}),
-        ours ("paper_kdtree_shuffled", {Preset::PAPER, false, true}),
-        ours ("auto", {Preset::AUTO, true, false}),
-        memoryOfOurs ("memory_paper", {Preset::PAPER, true, false}),
-        memoryOfOurs ("memory_auto", {Preset::AUTO, true, false}),
+        ours ("paper", {Preset::PAPER, true}),
+        ours ("paper_kdtree", {Preset::PAPER, false}),
+        ours ("auto", {Preset::AUTO, true}),
+        memoryOfOurs ("memory_paper", {Preset::PAPER, true}),
+        memoryOfOurs ("memory_auto", {Preset::AUTO, true}),
         {"rerun_M",
          true,
          [] (const Cloud& cloud, unsigned threads) {

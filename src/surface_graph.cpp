@@ -82,6 +82,7 @@ filterNeighbors (const OrientedPoints& points,
               directed.boundary[point] = filter.select (point, neighbors) ? 1 : 0;
               directed.offsets[point + 1] = neighbors.size() - before;
             });
+        neighbors.shrink_to_fit();
       });
 
   double spacing_sum = 0.0;
