@@ -90,7 +90,7 @@ savePicture (const Request& request, const Parameters& parameters)
   const auto& cloud = session->getCloud().points;
   CrestScene scene;
   scene.setCloud (cloud);
-  scene.setLines (session->getLines(), session->lineCloud());
+  scene.setLines (session->getLines(), session->getLineCloud());
   SizeChart chart (scene.getRenderer());
   chart.setVisible (with_chart);
   chart.setSizes (session->getStatistics().line_sizes,

@@ -260,7 +260,7 @@ void
 ViewerWindow::redraw()
 {
   const Parameters& parameters = session_->getParameters();
-  scene_.setLines (session_->getLines(), session_->lineCloud());
+  scene_.setLines (session_->getLines(), session_->getLineCloud());
   chart_.setSizes (session_->getStatistics().line_sizes,
                    {minSize (parameters, CrestType::RIDGE),
                     minSize (parameters, CrestType::VALLEY)});
