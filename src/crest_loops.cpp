@@ -6,15 +6,14 @@
 #include <functional>
 #include <queue>
 #include <tuple>
-#include <utility>
 
 namespace pcl {
 namespace crest {
 
 namespace {
 
-/** \brief Tells whether two points are near each other along a graph (Dijkstra's
- * algorithm, up to a distance).
+/** \brief Tells whether two points are near each other along a graph: A* up to a
+ * distance, which ends at the first way that is short enough.
  */
 class Reach {
 public:
@@ -31,25 +30,23 @@ public:
     const auto reach = [&] (int v, double distance) {
       if (distance_[v] != UNKNOWN && distance_[v] <= distance)
         return;
+      const double whole = distance + length (v, to);
+      if (whole >= limit)
+        return;
       if (distance_[v] == UNKNOWN)
         reached_.push_back (v);
       distance_[v] = distance;
-      fronts.emplace (distance, v);
+      fronts.push ({whole, distance, v});
     };
     reach (from, 0.0);
-    bool found = false;
-    while (!found && !fronts.empty()) {
-      const auto [distance, v] = fronts.top();
+    while (!fronts.empty() && distance_[to] == UNKNOWN) {
+      const Front front = fronts.top();
       fronts.pop();
-      found = v == to;
-      if (distance > distance_[v])
-        continue;
-      for (const int w : graph_.neighbors (v)) {
-        const double next = distance + length (v, w);
-        if (next < limit)
-          reach (w, next);
-      }
+      if (front.distance == distance_[front.point])
+        for (const int w : graph_.neighbors (front.point))
+          reach (w, front.distance + length (front.point, w));
     }
+    const bool found = distance_[to] != UNKNOWN;
     for (const int v : reached_)
       distance_[v] = UNKNOWN;
     reached_.clear();
@@ -58,7 +55,18 @@ public:
 
 private:
   static constexpr double UNKNOWN = -1.0;
-  using Front = std::pair<double, int>;
+  struct Front {
+    /** the least that a way through the point can have */
+    double whole;
+    double distance;
+    int point;
+
+    bool
+    operator> (const Front& o) const
+    {
+      return std::tie (whole, point) > std::tie (o.whole, o.point);
+    }
+  };
 
   double
   length (int v, int w) const

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace pcl {
 namespace crest {
@@ -22,11 +21,11 @@ nearBoundary (const SurfaceGraph& graph, index_t point)
          });
 }
 
-/** \brief How often polylines come to a point, for each that any comes to. */
-std::map<index_t, int>
-countVisits (const std::vector<CrestLine>& lines)
+/** \brief How often polylines come to each of `size` points. */
+std::vector<int>
+countVisits (std::size_t size, const std::vector<CrestLine>& lines)
 {
-  std::map<index_t, int> count;
+  std::vector<int> count (size, 0);
   for (const CrestLine& line : lines)
     for (const std::vector<index_t>& polyline : line.polylines)
       for (const index_t p : polyline)
@@ -43,11 +42,11 @@ measureLines (const OrientedPoints& points,
               std::vector<CrestLine>& lines)
 {
   // A line may end in a corner of lines of the other type.
-  const std::map<index_t, int> visits = countVisits (lines);
+  const std::vector<int> visits = countVisits (graph.size(), lines);
   const auto endAt = [&] (const CrestLine& line, index_t point) {
     if (line.closed)
       return LineEnd::CLOSED;
-    if (visits.at (point) > 1)
+    if (visits[point] > 1)
       return LineEnd::JUNCTION;
     return nearBoundary (graph, point) ? LineEnd::BOUNDARY : LineEnd::FREE;
   };

@@ -65,7 +65,7 @@ expectAsAtOnce (const CrestSession& session, const Parameters& parameters)
   EXPECT_EQ (lines.size(), session.getLines().size());
   for (std::size_t i = 0; i < std::min (lines.size(), session.getLines().size()); ++i)
     expectEqual (lines[i], session.getLines()[i]);
-  const auto where = session.lineCloud();
+  const auto& where = session.getLineCloud();
   const auto curvatures = session.curvatures();
   for (std::size_t i = 0; i < cloud->size(); ++i) {
     EXPECT_EQ ((*estimation.getLineCloud())[i].getVector3fMap(),

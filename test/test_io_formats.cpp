@@ -237,6 +237,26 @@ TEST_F (IoFormats, PlyOfOtherByteOrderAndTypes)
   EXPECT_EQ (Eigen::Vector3f (-2, 7, 0), (*cloud.points)[1].getVector3fMap());
 }
 
+TEST_F (IoFormats, ColorsOfPcdAndPly)
+{
+  const std::vector<std::array<unsigned char, 3>> colors{{255, 128, 3}, {0, 7, 250}};
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;
+  for (const auto& color : colors)
+    cloud.push_back ({0.0F, 1.0F, 2.0F, color[0], color[1], color[2]});
+  const std::string pcd = directory_.file ("colors.pcd");
+  pcl::io::savePCDFileASCII (pcd, cloud);
+  EXPECT_EQ (read (pcd).colors, colors);
+  pcl::io::savePCDFileBinary (pcd, cloud);
+  EXPECT_EQ (read (pcd).colors, colors);
+  const std::string ply = directory_.file (
+      "colors.ply",
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty uchar blue\nproperty float x\n"
+      "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+      "end_header\n3 0 1 2 255 128\n250 0 1 2 0 7\n");
+  EXPECT_EQ (read (ply).colors, colors);
+  EXPECT_TRUE (read (directory_.file ("none.xyz", "0 1 2\n1 2 3\n")).colors.empty());
+}
+
 TEST_F (IoFormats, Off)
 {
   std::ostringstream faces;

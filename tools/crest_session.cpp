@@ -32,6 +32,7 @@ CrestSession::CrestSession (InputCloud cloud,
 {
   tell ("curvature");
   Stopwatch watch (statistics_.times);
+  line_cloud_ = *cloud_.points;
   const pcl::PointNormal& first = *cloud_.points->points.data();
   points_ = packOrientedPoints ({&first.x,
                                  &first.normal_x,
@@ -72,16 +73,16 @@ CrestSession::trace()
 void
 CrestSession::keep()
 {
+  // Copying a large cloud at each move of a slider would be felt.
+  for (const CrestLine& line : lines_)
+    for (const std::vector<index_t>& polyline : line.polylines)
+      for (const index_t point : polyline)
+        line_cloud_[point].getVector3fMap() = (*cloud_.points)[point].getVector3fMap();
   crests_ = keepLines (points_, shape_, traced_, parameters_);
   lines_ = linesOfCloud (points_, crests_.lines);
+  movePointsToLines (points_, lines_, crests_.positions, line_cloud_);
   statistics_.line_sizes = crests_.sizes;
   statistics_.times = crests_.times;
-}
-
-pcl::PointCloud<pcl::PointNormal>
-CrestSession::lineCloud() const
-{
-  return *cloudOfLines (*cloud_.points, points_, lines_, crests_.positions);
 }
 
 pcl::PointCloud<pcl::Label>

@@ -63,8 +63,11 @@ public:
     return lines_;
   }
   /** \brief As CrestLineEstimation::getLineCloud. */
-  pcl::PointCloud<pcl::PointNormal>
-  lineCloud () const;
+  const pcl::PointCloud<pcl::PointNormal>&
+  getLineCloud () const
+  {
+    return line_cloud_;
+  }
 
   /** \brief One for each point of the cloud. */
   pcl::PointCloud<pcl::Label>
@@ -95,6 +98,7 @@ private:
   Crests traced_;
   Crests crests_;
   std::vector<CrestLine> lines_;
+  pcl::PointCloud<pcl::PointNormal> line_cloud_;
   Statistics statistics_;
 };
 

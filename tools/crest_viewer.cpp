@@ -55,17 +55,22 @@ takeView (const std::string& value, std::optional<View>& view)
 
 /** \brief All that is to know before anything can be shown. */
 std::unique_ptr<CrestSession>
-load (const std::string& input,
+load (const WindowOptions& window,
       const Parameters& parameters,
       const ViewerWindow::Tell& tell,
       std::string& error)
 {
+  const std::string& input = window.input;
   tell ("reading " + input);
   InputCloud cloud;
   if (!readCloud (input, parameters.k, parameters.threads, cloud, error))
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
+  if (window.view.color == ColorMode::FILE && cloud.colors.empty()) {
+    error = input + ": it has no colors, which -color rgb is to show";
+    return nullptr;
+  }
   auto session = std::make_unique<CrestSession> (std::move (cloud), parameters, tell);
   const std::vector<PrincipalCurvature>& curvature = session->getShape().curvature;
   if (std::any_of (curvature.begin(),
@@ -83,26 +88,23 @@ savePicture (const Request& request, const Parameters& parameters)
   std::string error;
   const auto quiet = [] (const std::string&) {};
   const std::unique_ptr<CrestSession> session =
-      load (request.window.input, parameters, quiet, error);
+      load (request.window, parameters, quiet, error);
   if (!session)
     return fail (PROGRAM, EXIT_FILE, error);
-  const auto& [input, prefix, size, view, with_chart] = request.window;
-  const auto& cloud = session->getCloud().points;
-  CrestScene scene;
-  scene.setCloud (cloud);
-  scene.setLines (session->getLines(), session->lineCloud());
-  SizeChart chart (scene.getRenderer());
-  chart.setVisible (with_chart);
-  chart.setSizes (session->getStatistics().line_sizes,
-                  {minSize (parameters, CrestType::RIDGE),
-                   minSize (parameters, CrestType::VALLEY)});
-  setCamera (view ? *view : fitView (*cloud, size),
-             *scene.getRenderer()->GetActiveCamera());
+  const auto& [input, prefix, size, camera, options] = request.window;
+  SessionView view (options);
+  view.show (*session);
+  vtkRenderer& renderer = *view.getScene().getRenderer();
+  if (options.sliders)
+    drawSliders (
+        thresholdsOf (*session), parameters, inkOn (options.background), renderer);
+  setCamera (camera ? *camera : fitView (*session->getCloud().points, size),
+             *renderer.GetActiveCamera());
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering (1);
   window->SetMultiSamples (SAMPLES_PER_PIXEL);
   window->SetSize (size.x(), size.y());
-  window->AddRenderer (scene.getRenderer());
+  window->AddRenderer (&renderer);
   if (!replaceFile (request.screenshot, renderPicture (*window), error))
     return fail (PROGRAM, EXIT_FILE, error);
   std::cout << "Wrote " << request.screenshot << "\n";
@@ -113,7 +115,7 @@ int
 showWindow (const Request& request, const Parameters& parameters)
 {
   const auto load_input = [&] (const ViewerWindow::Tell& tell, std::string& error) {
-    return load (request.window.input, parameters, tell, error);
+    return load (request.window, parameters, tell, error);
   };
   std::string error;
   bool done = false;
@@ -155,10 +157,9 @@ main (int argc, char** argv)
                "                          (default: the whole cloud from its broadest "
                "side)",
                [&request] (const std::string& value) {
-                 return takeView (value, request.window.view);
+                 return takeView (value, request.window.camera);
                });
-  options.addFlag (
-      "-chart", "show the chart of line sizes from the start", request.window.chart);
+  addViewOptions (options, request.window.view);
   options.addFlag ("-h", "show this and do nothing else", help);
   if (wantsHelp (argc, argv)) {
     std::cout
@@ -178,8 +179,8 @@ main (int argc, char** argv)
     return fail (PROGRAM, EXIT_USAGE, error);
   request.window.input = arguments[0];
   request.window.prefix = std::filesystem::path (arguments[0]).stem().string();
-  if (request.window.view && !options.given ("-size"))
-    request.window.size = request.window.view->window_size;
+  if (request.window.camera && !options.given ("-size"))
+    request.window.size = request.window.camera->window_size;
   if (!request.screenshot.empty()) {
     if (!hasExtension (request.screenshot, {".png"}, error))
       return fail (PROGRAM, EXIT_USAGE, error);

@@ -28,7 +28,7 @@ exportSession (const CrestSession& session,
                               optionsOf (session.getParameters()) + "\n";
   return writeLabels (
              labels_file, *cloud.points, labels, session.curvatures(), error) &&
-         writeLines (lines_file, session.lineCloud(), session.getLines(), error) &&
+         writeLines (lines_file, session.getLineCloud(), session.getLines(), error) &&
          writeStatistics (statistics_file,
                           cloud,
                           labels,

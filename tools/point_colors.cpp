@@ -66,6 +66,11 @@ colorPoints (const CrestSession& session, ColorMode mode)
   PointColors result;
   if (mode == ColorMode::SHADED)
     return result;
+  if (mode == ColorMode::FILE) {
+    result.title = "colors of the file";
+    result.colors = session.getCloud().colors;
+    return result;
+  }
   if (mode == ColorMode::LABEL) {
     result.title = "labels";
     for (const pcl::Label& label : session.labels())

@@ -5,12 +5,10 @@
 #include <pcl_crest/visualization/crest_scene.h>
 
 #include "crest_session.h"
+#include "view_options.h"
 
 namespace pcl {
 namespace crest {
-
-/** \brief What the points are colored by, in the order of the keys 1 to 5. */
-enum class ColorMode { SHADED, LABEL, K1, K2, BOUNDARY };
 
 /** \brief Colors of points, and for curvatures the scale they are read from. */
 struct PointColors {

@@ -3,6 +3,7 @@
 
 #include <vtkCommand.h>
 #include <vtkProperty2D.h>
+#include <vtkRenderer.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkTextProperty.h>
 
@@ -13,8 +14,20 @@ namespace crest {
 
 namespace {
 
+std::string
+titleOf (const Threshold& threshold, const Parameters& parameters)
+{
+  std::ostringstream text;
+  text.precision (6);
+  text << threshold.title << ": " << threshold.get (parameters);
+  return text.str();
+}
+
 vtkSmartPointer<vtkSliderRepresentation2D>
-makeRepresentation (const Threshold& threshold, std::size_t row)
+makeRepresentation (const Threshold& threshold,
+                    const Parameters& parameters,
+                    std::size_t row,
+                    Eigen::Vector3d ink)
 {
   constexpr double BOTTOM = 0.12, STEP = 0.085, LEFT = 0.02, RIGHT = 0.27;
   auto slider = vtkSmartPointer<vtkSliderRepresentation2D>::New();
@@ -39,26 +52,41 @@ makeRepresentation (const Threshold& threshold, std::size_t row)
   slider->ShowSliderLabelOff();
   slider->GetSliderProperty()->SetColor (0.2, 0.2, 0.2);
   slider->GetTubeProperty()->SetColor (0.6, 0.6, 0.6);
-  slider->GetTitleProperty()->SetColor (0.0, 0.0, 0.0);
+  slider->GetTitleProperty()->SetColor (ink.data());
   slider->GetTitleProperty()->BoldOff();
   slider->GetTitleProperty()->ItalicOff();
   slider->GetTitleProperty()->ShadowOff();
+  slider->SetValue (sliderPlace (t, parameters));
+  slider->SetTitleText (titleOf (t, parameters).c_str());
   return slider;
 }
 
 } // namespace
 
+void
+drawSliders (const std::vector<Threshold>& thresholds,
+             const Parameters& parameters,
+             const Eigen::Vector3d& ink,
+             vtkRenderer& renderer)
+{
+  for (std::size_t i = 0; i < thresholds.size(); ++i) {
+    const auto slider = makeRepresentation (thresholds[i], parameters, i, ink);
+    slider->SetRenderer (&renderer);
+    renderer.AddViewProp (slider);
+  }
+}
+
 Sliders::Sliders (vtkRenderWindowInteractor* interactor,
                   std::vector<Threshold> thresholds,
                   const Parameters& parameters,
+                  const Eigen::Vector3d& ink,
                   Moved moved)
 : thresholds_ (std::move (thresholds))
 , moved_ (std::move (moved))
 , parameters_ (parameters)
 {
   for (std::size_t i = 0; i < thresholds_.size(); ++i) {
-    const auto slider = makeRepresentation (thresholds_[i], i);
-    slider->SetValue (sliderPlace (thresholds_[i], parameters_));
+    const auto slider = makeRepresentation (thresholds_[i], parameters_, i, ink);
     auto widget = vtkSmartPointer<vtkSliderWidget>::New();
     widget->SetInteractor (interactor);
     widget->SetRepresentation (slider);
@@ -68,7 +96,6 @@ Sliders::Sliders (vtkRenderWindowInteractor* interactor,
          {vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent})
       widget->AddObserver (event, this, &Sliders::dragged);
     widgets_.push_back (widget);
-    label (i);
   }
 }
 
@@ -91,20 +118,11 @@ Sliders::dragged (vtkObject* widget, unsigned long event, void*)
         dynamic_cast<vtkSliderRepresentation*> (widgets_[i]->GetRepresentation())
             ->GetValue();
     takeSliderPlace (threshold, place, parameters_);
-    label (i);
+    dynamic_cast<vtkSliderRepresentation*> (widgets_[i]->GetRepresentation())
+        ->SetTitleText (titleOf (threshold, parameters_).c_str());
     if (event == vtkCommand::EndInteractionEvent || threshold.only_filters || fast_)
       moved_ (threshold, place);
   }
-}
-
-void
-Sliders::label (std::size_t slider)
-{
-  std::ostringstream text;
-  text.precision (6);
-  text << thresholds_[slider].title << ": " << thresholds_[slider].get (parameters_);
-  dynamic_cast<vtkSliderRepresentation*> (widgets_[slider]->GetRepresentation())
-      ->SetTitleText (text.str().c_str());
 }
 
 } // namespace crest

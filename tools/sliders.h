@@ -10,6 +10,15 @@
 namespace pcl {
 namespace crest {
 
+/** \brief Draws sliders that nobody can move, for a picture.
+ * \param[in] ink the color of the text
+ */
+void
+drawSliders (const std::vector<Threshold>& thresholds,
+             const Parameters& parameters,
+             const Eigen::Vector3d& ink,
+             vtkRenderer& renderer);
+
 /** \brief A slider for each threshold, one above the other at the lower left. */
 class Sliders {
 public:
@@ -17,12 +26,14 @@ public:
   using Moved = std::function<void (const Threshold&, double place)>;
 
   /** \brief Shows the sliders.
+   * \param[in] ink the color of the text
    * \param[in] moved called while the mouse moves for what only filters, and when it
    * is let go for all
    */
   Sliders (vtkRenderWindowInteractor* interactor,
            std::vector<Threshold> thresholds,
            const Parameters& parameters,
+           const Eigen::Vector3d& ink,
            Moved moved);
   ~Sliders();
   Sliders (const Sliders&) = delete;
@@ -45,8 +56,6 @@ public:
 private:
   void
   dragged (vtkObject* widget, unsigned long event, void* data);
-  void
-  label (std::size_t slider);
 
   std::vector<Threshold> thresholds_;
   Moved moved_;

@@ -53,8 +53,12 @@ plain (const std::string& title,
 } // namespace
 
 std::vector<Threshold>
-thresholdsOf (Preset preset, double strongest)
+thresholdsOf (const CrestSession& session)
 {
+  const Preset preset = session.getParameters().preset;
+  double strongest = 0.0;
+  for (const CrestLine& line : session.getLines())
+    strongest = std::max (strongest, line.strength);
   std::vector<Threshold> thresholds;
   if (preset == Preset::PAPER)
     thresholds = {maximality ("M of ridges", CrestType::RIDGE),

@@ -2,11 +2,7 @@
 // The thresholds that a slider can move.
 #pragma once
 
-#include <pcl_crest/parameters.h>
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "crest_session.h"
 
 namespace pcl {
 namespace crest {
@@ -23,11 +19,9 @@ struct Threshold {
   std::function<void (Parameters&, double)> set;
 };
 
-/** \brief The thresholds of a preset.
- * \param[in] strongest strength among the lines
- */
+/** \brief The thresholds of the session's preset. */
 std::vector<Threshold>
-thresholdsOf (Preset preset, double strongest);
+thresholdsOf (const CrestSession& session);
 
 /** \brief Where a threshold stands on its slider, as the logarithm if it has one. */
 double

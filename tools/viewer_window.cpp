@@ -5,7 +5,6 @@
 #include <pcl_crest/visualization/picture.h>
 
 #include <vtkCommand.h>
-#include <vtkLookupTable.h>
 #include <vtkTextProperty.h>
 
 #include "export_session.h"
@@ -49,9 +48,12 @@ public:
 std::string
 ViewerWindow::keys()
 {
-  return "  1 2 3 4 5   color by: nothing, label, k1, k2, boundary\n"
+  return "  1 ... 6     color by: nothing, label, k1, k2, boundary, the file's colors\n"
+         "  d           principal directions on and off, t1 the long bar\n"
          "  i, v        ridges, valleys on and off\n"
          "  n           points on and off\n"
+         "  +, -        larger and smaller dots; a surface instead if smaller than 1\n"
+         "  [, ]        thinner and thicker lines\n"
          "  t, y        chart of line sizes on and off, its logarithm\n"
          "  p           save a picture\n"
          "  e           export labels, lines, statistics and the command line for "
@@ -61,39 +63,22 @@ ViewerWindow::keys()
 
 ViewerWindow::ViewerWindow (const WindowOptions& options)
 : options_ (options)
+, view_ (options.view)
 , window_ (vtkSmartPointer<vtkRenderWindow>::New())
 , viewer_ (std::make_unique<pcl::visualization::PCLVisualizer> (
-      scene_.getRenderer(), window_, "pcl_crest_viewer " + options.input))
-, chart_ (scene_.getRenderer())
+      view_.getScene().getRenderer(), window_, "pcl_crest_viewer " + options.input))
 {
   viewer_->setShowFPS (false);
   viewer_->setSize (options_.size.x(), options_.size.y());
-  if (options_.view)
-    viewer_->setPosition (options_.view->window_position.x(),
-                          options_.view->window_position.y());
-  text_->GetTextProperty()->SetColor (0.0, 0.0, 0.0);
+  if (options_.camera)
+    viewer_->setPosition (options_.camera->window_position.x(),
+                          options_.camera->window_position.y());
+  Eigen::Vector3d ink = inkOn (options_.view.background);
+  text_->GetTextProperty()->SetColor (ink.data());
   text_->GetTextProperty()->SetFontSize (16);
   text_->SetPosition (12, 12);
   text_->SetInput (" ");
-  scene_.getRenderer()->AddActor (text_);
-  bar_->SetNumberOfLabels (5);
-  bar_->SetPosition (0.9, 0.1);
-  bar_->SetWidth (0.08);
-  bar_->SetHeight (0.4);
-  bar_->UnconstrainedFontSizeOn();
-  bar_->SetLabelFormat ("%-#.3g");
-  for (vtkTextProperty* const property :
-       {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
-    property->SetColor (0.0, 0.0, 0.0);
-    property->SetFontSize (14);
-    property->BoldOff();
-    property->ItalicOff();
-    property->ShadowOff();
-  }
-  bar_->VisibilityOff();
-  scene_.getRenderer()->AddActor (bar_);
-  chart_.setVisible (options_.chart);
-
+  view_.getScene().getRenderer()->AddActor (text_);
   vtkRenderWindowInteractor* const interactor = getInteractor();
   for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent}) {
     vtkNew<KeyCommand> command;
@@ -125,20 +110,17 @@ ViewerWindow::show (std::unique_ptr<CrestSession> session)
 {
   session_ = std::move (session);
   const auto& cloud = session_->getCloud().points;
-  scene_.setCloud (cloud);
-  setCamera (options_.view ? *options_.view : fitView (*cloud, options_.size),
-             *scene_.getRenderer()->GetActiveCamera());
-  double strongest = 0.0;
-  for (const CrestLine& line : session_->getLines())
-    strongest = std::max (strongest, line.strength);
+  view_.show (*session_);
+  setCamera (options_.camera ? *options_.camera : fitView (*cloud, options_.size),
+             *view_.getScene().getRenderer()->GetActiveCamera());
   sliders_ = std::make_unique<Sliders> (
       getInteractor(),
-      thresholdsOf (session_->getParameters().preset, strongest),
+      thresholdsOf (*session_),
       session_->getParameters(),
+      inkOn (options_.view.background),
       [this] (const Threshold& threshold, double place) {
         change ([&] (Parameters& p) { takeSliderPlace (threshold, place, p); });
       });
-  redraw();
   say ("h lists the keys");
 }
 
@@ -151,7 +133,7 @@ ViewerWindow::run (const Load& load, std::string& error)
   };
   loading_ = std::async (std::launch::async,
                          [this, load, tell] { return load (tell, load_error_); });
-  scene_.getRenderer()->ResetCamera();
+  view_.getScene().getRenderer()->ResetCamera();
   window_->Render();
   getInteractor()->CreateRepeatingTimer (POLL_MILLISECONDS);
   viewer_->spin();
@@ -193,7 +175,7 @@ ViewerWindow::keyPressed (unsigned long event)
   const bool pressed = event == vtkCommand::KeyPressEvent;
   if (key == 'h' && pressed)
     std::cout << "Keys of pcl_crest_viewer, before those of pcl_viewer:\n" << keys();
-  if (key == '\0' || std::string ("12345ivntype").find (key) == std::string::npos)
+  if (key == '\0' || std::string ("123456divn+-[]type").find (key) == std::string::npos)
     return false;
   if (pressed && session_)
     act (key);
@@ -203,6 +185,9 @@ ViewerWindow::keyPressed (unsigned long event)
 void
 ViewerWindow::act (char key)
 {
+  constexpr double LINE_STEP = 0.5;
+  CrestScene& scene = view_.getScene();
+  SizeChart& chart = view_.getChart();
   std::string error;
   switch (key) {
   case 'i':
@@ -211,13 +196,28 @@ ViewerWindow::act (char key)
     return change ([type] (Parameters& p) { p.wanted[type] = !p.wanted[type]; });
   }
   case 'n':
-    scene_.setSurfaceVisible (!scene_.isSurfaceVisible());
+    scene.setSurfaceVisible (!scene.isSurfaceVisible());
+    break;
+  case 'd':
+    view_.setDirectionsVisible (!view_.areDirectionsVisible());
+    break;
+  case '+':
+    scene.setPointSize (std::min (scene.getPointSize() + 1, LARGEST_POINT));
+    break;
+  case '-':
+    scene.setPointSize (std::max (scene.getPointSize() - 1, 0));
+    break;
+  case '[':
+    scene.setLineWidth (std::max (scene.getLineWidth() - LINE_STEP, THINNEST_LINE));
+    break;
+  case ']':
+    scene.setLineWidth (std::min (scene.getLineWidth() + LINE_STEP, THICKEST_LINE));
     break;
   case 't':
-    chart_.setVisible (!chart_.isVisible());
+    chart.setVisible (!chart.isVisible());
     break;
   case 'y':
-    chart_.setLogarithmic (!chart_.isLogarithmic());
+    chart.setLogarithmic (!chart.isLogarithmic());
     break;
   case 'p':
     if (replaceFile (options_.prefix + ".png", renderPicture (*window_), error))
@@ -228,8 +228,8 @@ ViewerWindow::act (char key)
       return say ("exported " + options_.prefix + "_*");
     return say (error);
   default:
-    mode_ = static_cast<ColorMode> (key - '1');
-    recolor();
+    if (!view_.setColorMode (static_cast<ColorMode> (key - '1')))
+      return say ("the file has no colors");
   }
   window_->Render();
 }
@@ -244,7 +244,7 @@ ViewerWindow::change (const std::function<void (Parameters&)>& edit)
     return say (invalid);
   const auto start = std::chrono::steady_clock::now();
   session_->setThresholds (parameters);
-  redraw();
+  view_.update();
   const double took = std::chrono::duration<double, std::milli> (
                           std::chrono::steady_clock::now() - start)
                           .count();
@@ -254,36 +254,6 @@ ViewerWindow::change (const std::function<void (Parameters&)>& edit)
   std::ostringstream text;
   text << "updated in " << std::fixed << std::setprecision (1) << took << " ms";
   say (text.str());
-}
-
-void
-ViewerWindow::redraw()
-{
-  const Parameters& parameters = session_->getParameters();
-  scene_.setLines (session_->getLines(), session_->lineCloud());
-  chart_.setSizes (session_->getStatistics().line_sizes,
-                   {minSize (parameters, CrestType::RIDGE),
-                    minSize (parameters, CrestType::VALLEY)});
-  if (mode_ == ColorMode::LABEL)
-    recolor();
-}
-
-void
-ViewerWindow::recolor()
-{
-  const PointColors colors = colorPoints (*session_, mode_);
-  scene_.setColors (colors.colors);
-  bar_->SetVisibility (colors.largest > 0.0);
-  bar_->SetTitle (colors.title.c_str());
-  constexpr int SHADES = 64;
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues (SHADES);
-  for (int i = 0; i < SHADES; ++i) {
-    const CrestScene::Color color = colorOf (2.0 * i / (SHADES - 1) - 1.0);
-    table->SetTableValue (i, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  }
-  table->SetTableRange (-colors.largest, colors.largest);
-  bar_->SetLookupTable (table);
 }
 
 void
@@ -304,7 +274,7 @@ ViewerWindow::mouseMoved (const pcl::visualization::MouseEvent& event)
 void
 ViewerWindow::describeLineAt (int x, int y)
 {
-  const int picked = scene_.pickLine (x, y);
+  const int picked = view_.getScene().pickLine (x, y);
   if (picked < 0)
     return;
   const CrestLine& line = session_->getLines()[picked];

@@ -2,15 +2,13 @@
 // The viewer's window: what keys, sliders and clicks do.
 #pragma once
 
-#include <pcl_crest/visualization/size_chart.h>
 #include <pcl_crest/visualization/view.h>
 
 #include <pcl/visualization/pcl_visualizer.h>
 
-#include <vtkScalarBarActor.h>
 #include <vtkTextActor.h>
 
-#include "point_colors.h"
+#include "session_view.h"
 #include "sliders.h"
 
 #include <future>
@@ -27,8 +25,8 @@ struct WindowOptions {
   std::string prefix;
   Eigen::Vector2i size{1200, 1200};
   /** else the view is fitted to the cloud */
-  std::optional<View> view;
-  bool chart = false;
+  std::optional<View> camera;
+  ViewOptions view;
 };
 
 /** \brief A window in the way of pcl_viewer that shows a session, and keys of its own.
@@ -91,10 +89,6 @@ private:
   void
   change (const std::function<void (Parameters&)>& edit);
   void
-  redraw ();
-  void
-  recolor ();
-  void
   mouseMoved (const pcl::visualization::MouseEvent& event);
   void
   describeLineAt (int x, int y);
@@ -104,15 +98,12 @@ private:
   poll (vtkObject* caller, unsigned long event, void* data);
 
   WindowOptions options_;
-  CrestScene scene_;
+  SessionView view_;
   vtkSmartPointer<vtkRenderWindow> window_;
   std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
   std::unique_ptr<CrestSession> session_;
   std::unique_ptr<Sliders> sliders_;
-  SizeChart chart_;
   vtkNew<vtkTextActor> text_;
-  vtkNew<vtkScalarBarActor> bar_;
-  ColorMode mode_ = ColorMode::SHADED;
   std::string message_;
   std::array<int, 2> pressed_{};
 

@@ -9,6 +9,7 @@
 
 #include "text_scanner.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct FileContent {
   /** normals are zero where the file has none */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
   bool has_normals = false;
+  std::vector<std::array<unsigned char, 3>> colors;
   Faces faces;
   /** where the scanner stood, in formats that tell */
   std::optional<Eigen::Vector3f> viewpoint;

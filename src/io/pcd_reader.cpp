@@ -212,12 +212,15 @@ readPcd (const std::string& file, const std::string& text)
   constexpr std::array<const char*, 6> NAMES{
       "x", "y", "z", "normal_x", "normal_y", "normal_z"};
   std::array<const pcl::PCLPointField*, 6> fields{};
+  const pcl::PCLPointField* packed_color = nullptr;
   std::string present;
   for (const pcl::PCLPointField& field : data.fields) {
     present += (present.empty() ? "" : " ") + field.name;
     for (std::size_t i = 0; i < NAMES.size(); ++i)
       if (field.name == NAMES[i] && typeOf (field) != NumberType::NONE)
         fields[i] = &field;
+    if ((field.name == "rgb" || field.name == "rgba") && sizeOf (typeOf (field)) == 4)
+      packed_color = &field;
   }
   if (!fields[0] || !fields[1] || !fields[2])
     throw ReadError ("it has the fields \"" + present +
@@ -236,6 +239,14 @@ readPcd (const std::string& file, const std::string& text)
       values[j] =
           decode (point + fields[j]->offset, typeOf (*fields[j]), HOST_IS_BIG_ENDIAN);
     content.points->push_back (makePoint (values, content.has_normals));
+    if (packed_color != nullptr) {
+      // Whatever the type says, it is not a number but bytes.
+      const auto color =
+          decodeAs<std::uint32_t> (point + packed_color->offset, HOST_IS_BIG_ENDIAN);
+      content.colors.push_back ({static_cast<unsigned char> (color >> 16U),
+                                 static_cast<unsigned char> (color >> 8U),
+                                 static_cast<unsigned char> (color)});
+    }
   }
   content.points->width = data.width;
   content.points->height = data.height;

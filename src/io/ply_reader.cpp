@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PLY, text and binary of either byte order: x y z, normals and faces; all else that a
-// file may declare is passed over. pcl::PLYReader is not used because it makes room for
-// as many points as the header announces before it looks whether they are there.
+// PLY, text and binary of either byte order: x y z, normals, colors and faces; all else
+// that a file may declare is passed over. pcl::PLYReader is not used because it makes
+// room for as many points as the header announces before it looks whether they are
+// there.
 #include "file_content.h"
 #include "number_type.h"
 
@@ -155,21 +156,23 @@ private:
   void
   readVertices (const Element& element)
   {
-    constexpr std::array<const char*, 6> NAMES{"x", "y", "z", "nx", "ny", "nz"};
+    constexpr std::array<const char*, 9> NAMES{
+        "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
     std::vector<int> place (element.properties.size(), -1);
-    std::array<bool, 6> found{};
+    std::array<bool, NAMES.size()> found{};
     for (std::size_t i = 0; i < place.size(); ++i)
       for (std::size_t j = 0; j < NAMES.size(); ++j)
         if (element.properties[i].name == NAMES[j] &&
             element.properties[i].count_type == NumberType::NONE) {
           place[i] = static_cast<int> (j);
-          found[j] = true;
+          found[j] = j < 6 || element.properties[i].type == NumberType::UINT8;
         }
     if (!found[0] || !found[1] || !found[2])
       throw ReadError ("its vertices need the properties x, y and z");
     content_.has_normals = found[3] && found[4] && found[5];
+    const bool has_colors = found[6] && found[7] && found[8];
     for (std::size_t i = 0; i < element.count; ++i) {
-      double values[6] = {};
+      double values[NAMES.size()] = {};
       for (std::size_t j = 0; j < place.size(); ++j) {
         if (element.properties[j].count_type != NumberType::NONE)
           skipList (element.properties[j]);
@@ -180,7 +183,17 @@ private:
         }
       }
       content_.points->push_back (makePoint (values, content_.has_normals));
+      if (has_colors)
+        content_.colors.push_back (
+            {colorOf (values[6]), colorOf (values[7]), colorOf (values[8])});
     }
+  }
+
+  /** \brief Text may hold any number, whatever its type. */
+  static unsigned char
+  colorOf (double value)
+  {
+    return value >= 0.0 && value <= 255.0 ? static_cast<unsigned char> (value) : 0;
   }
 
   void

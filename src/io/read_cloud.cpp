@@ -204,7 +204,11 @@ readCloud (const std::string& file,
                        return pcl::isXYZFinite (point) && pcl::isNormalFinite (point);
                      });
     watch.stageDone ("normals");
-    cloud = {content.points, source, std::move (content.notes), std::move (times)};
+    cloud = {content.points,
+             source,
+             std::move (content.colors),
+             std::move (content.notes),
+             std::move (times)};
     return true;
   }
   catch (const ReadError& problem) {

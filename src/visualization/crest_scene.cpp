@@ -6,9 +6,11 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
@@ -22,6 +24,7 @@ namespace {
 
 constexpr double LINE_WIDTH = 2.5;
 constexpr double GREY = 0.85;
+constexpr double GREEN[] = {0.0, 0.45, 0.2};
 constexpr unsigned char BLUE[] = {10, 40, 220};
 constexpr unsigned char RED[] = {220, 15, 15};
 
@@ -42,6 +45,39 @@ addLights (vtkRenderer& renderer)
   fill->SetLightTypeToHeadlight();
   fill->SetIntensity (0.6);
   renderer.AddLight (fill);
+}
+
+vtkPolyData*
+dataOf (vtkActor* actor)
+{
+  return vtkPolyDataMapper::SafeDownCast (actor->GetMapper())->GetInput();
+}
+
+void
+setDataOf (vtkActor* actor, vtkPolyData* data)
+{
+  vtkPolyDataMapper::SafeDownCast (actor->GetMapper())->SetInputData (data);
+}
+
+/** \brief A vertex with its normal for each of some points. */
+vtkSmartPointer<vtkPolyData>
+makeDots (const pcl::PointCloud<pcl::PointNormal>& cloud,
+          const std::vector<index_t>& drawn)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents (3);
+  vtkNew<vtkCellArray> vertices;
+  for (const index_t index : drawn) {
+    vertices->InsertNextCell (1);
+    vertices->InsertCellPoint (points->InsertNextPoint (cloud[index].data));
+    normals->InsertNextTuple (cloud[index].normal);
+  }
+  auto dots = vtkSmartPointer<vtkPolyData>::New();
+  dots->SetPoints (points);
+  dots->SetVerts (vertices);
+  dots->GetPointData()->SetNormals (normals);
+  return dots;
 }
 
 } // namespace
@@ -72,13 +108,21 @@ CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
 {
   renderer_->SetBackground (1.0, 1.0, 1.0);
   addLights (*renderer_);
-  for (vtkActor* actor : {surface_.Get(), lines_.Get()}) {
+  for (vtkActor* actor : {surface_.Get(), dots_.Get(), strokes_.Get(), lines_.Get()}) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData (vtkNew<vtkPolyData>());
     actor->SetMapper (mapper);
     renderer_->AddActor (actor);
   }
-  surface_->GetProperty()->SetColor (GREY, GREY, GREY);
+  for (vtkActor* actor : {surface_.Get(), dots_.Get()})
+    actor->GetProperty()->SetColor (GREY, GREY, GREY);
+  strokes_->GetProperty()->SetColor (GREEN[0], GREEN[1], GREEN[2]);
+  strokes_->GetProperty()->LightingOff();
+  axes_->AxisLabelsOff();
+  axes_->SetConeRadius (0.15);
+  renderer_->AddActor (axes_);
+  setAxes (0.0);
+  choose();
   lines_->GetProperty()->SetLineWidth (LINE_WIDTH);
   lines_->GetProperty()->LightingOff();
   observer_ =
@@ -94,8 +138,9 @@ CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
   const SurfaceSplats splats = makeSurfaceSplats (*cloud);
   lift_ = splats.radius;
   drawn_ = splats.points;
-  vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())
-      ->SetInputData (splats.polygons);
+  setDataOf (surface_, splats.polygons);
+  setDataOf (dots_, makeDots (*cloud, drawn_));
+  setStrokes (nullptr);
   setLines ({});
 }
 
@@ -109,8 +154,7 @@ void
 CrestScene::setLines (const std::vector<CrestLine>& lines,
                       const pcl::PointCloud<pcl::PointNormal>& line_cloud)
 {
-  vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())
-      ->SetInputData (makeLinePolyData (line_cloud, lines));
+  setDataOf (lines_, makeLinePolyData (line_cloud, lines));
   line_of_cell_.clear();
   for (std::size_t i = 0; i < lines.size(); ++i)
     line_of_cell_.insert (
@@ -118,31 +162,74 @@ CrestScene::setLines (const std::vector<CrestLine>& lines,
 }
 
 void
-CrestScene::setColors (const std::vector<Color>& colors)
+CrestScene::setColors (const std::vector<Color>& colors, bool shaded)
 {
-  vtkPolyData* const polygons =
-      vtkPolyDataMapper::SafeDownCast (surface_->GetMapper())->GetInput();
-  if (colors.empty()) {
-    polygons->GetCellData()->SetScalars (nullptr);
-    return;
+  vtkSmartPointer<vtkUnsignedCharArray> scalars;
+  if (!colors.empty()) {
+    scalars = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    scalars->SetNumberOfComponents (3);
+    for (const index_t point : drawn_)
+      scalars->InsertNextTypedTuple (colors[point].data());
   }
-  vtkNew<vtkUnsignedCharArray> scalars;
-  scalars->SetNumberOfComponents (3);
-  for (const index_t point : drawn_)
-    scalars->InsertNextTypedTuple (colors[point].data());
-  polygons->GetCellData()->SetScalars (scalars);
+  for (vtkActor* actor : {surface_.Get(), dots_.Get()}) {
+    dataOf (actor)->GetCellData()->SetScalars (scalars);
+    actor->GetProperty()->SetLighting (shaded);
+  }
+}
+
+void
+CrestScene::setPointSize (int pixels)
+{
+  point_size_ = pixels;
+  dots_->GetProperty()->SetPointSize (static_cast<float> (pixels));
+  choose();
+}
+
+void
+CrestScene::setOpacity (double opacity)
+{
+  for (vtkActor* actor : {surface_.Get(), dots_.Get()})
+    actor->GetProperty()->SetOpacity (opacity);
+}
+
+void
+CrestScene::setLineWidth (double pixels)
+{
+  lines_->GetProperty()->SetLineWidth (static_cast<float> (pixels));
+}
+
+double
+CrestScene::getLineWidth() const
+{
+  return lines_->GetProperty()->GetLineWidth();
+}
+
+void
+CrestScene::setStrokes (vtkPolyData* strokes)
+{
+  setDataOf (strokes_, strokes != nullptr ? strokes : vtkNew<vtkPolyData>().Get());
+}
+
+void
+CrestScene::setAxes (double length)
+{
+  if (length > 0.0)
+    axes_->SetTotalLength (length, length, length);
+  axes_->SetVisibility (length > 0.0);
 }
 
 void
 CrestScene::setSurfaceVisible (bool visible)
 {
-  surface_->SetVisibility (visible);
+  surface_visible_ = visible;
+  choose();
 }
 
-bool
-CrestScene::isSurfaceVisible() const
+void
+CrestScene::choose()
 {
-  return surface_->GetVisibility() != 0;
+  surface_->SetVisibility (surface_visible_ && point_size_ == 0);
+  dots_->SetVisibility (surface_visible_ && point_size_ > 0);
 }
 
 int
@@ -156,8 +243,7 @@ CrestScene::pickLine (int x, int y)
           renderer_->GetTiledAspectRatio(), -1.0, 1.0),
       lines_->GetMatrix(),
       to_view);
-  vtkPolyData* const lines =
-      vtkPolyDataMapper::SafeDownCast (lines_->GetMapper())->GetInput();
+  vtkPolyData* const lines = dataOf (lines_);
   const int* const size = renderer_->GetSize();
   const Eigen::Vector2d click (x, y);
   const auto project = [&] (vtkIdType point) {
@@ -214,6 +300,7 @@ CrestScene::liftLines()
     }
   }
   lines_->SetUserMatrix (nearer);
+  strokes_->SetUserMatrix (nearer);
 }
 
 } // namespace crest

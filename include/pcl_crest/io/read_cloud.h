@@ -6,6 +6,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct InputCloud {
   /** one point per point of the file, in its order; is_dense is honest */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
   NormalSource normals = NormalSource::FILE;
+  /** of each point red, green and blue up to 255, where a PCD or PLY file has them;
+   * else empty */
+  std::vector<std::array<unsigned char, 3>> colors;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
   /** what reading the file and seeing to the normals took */

@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 
 #include <vtkActor.h>
+#include <vtkAxesActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -61,16 +62,53 @@ public:
   /** \brief A color, red, green and blue up to 255. */
   using Color = std::array<unsigned char, 3>;
 
-  /** \brief Colors the surface, shaded as before.
+  /** \brief Colors the surface.
    * \param[in] colors one for each point of the cloud shown; none for all grey
+   * \param[in] shaded by the normals, or exactly these colors
    */
   void
-  setColors (const std::vector<Color>& colors);
+  setColors (const std::vector<Color>& colors, bool shaded = true);
+
+  /** \brief Draws the points as dots of so many pixels, or as a surface if that is 0,
+   * as at first.
+   */
+  void
+  setPointSize (int pixels);
+  int
+  getPointSize () const
+  {
+    return point_size_;
+  }
+
+  /** \brief How much of what is behind the surface it covers, 0 to 1. */
+  void
+  setOpacity (double opacity);
+
+  /** \brief In pixels. */
+  void
+  setLineWidth (double pixels);
+  double
+  getLineWidth () const;
+
+  /** \brief Draws strokes over the surface, as directions at its points.
+   * \param[in] strokes lines; none to show none
+   */
+  void
+  setStrokes (vtkPolyData* strokes);
+
+  /** \brief Draws the axes x red, y green and z blue from the origin.
+   * \param[in] length in the cloud's unit; 0 for none
+   */
+  void
+  setAxes (double length);
 
   void
   setSurfaceVisible (bool visible);
   bool
-  isSurfaceVisible () const;
+  isSurfaceVisible () const
+  {
+    return surface_visible_;
+  }
 
   /** \brief The place among the lines of the one within a few pixels of a place in the
    * renderer's window, or -1.
@@ -79,9 +117,13 @@ public:
   pickLine (int x, int y);
 
 private:
-  /** \brief Brings the lines nearer to the camera by a little more than the surface's
-   * uncertainty, and leaves them where they are in the picture. Lines on the far side
-   * stay hidden, as that is farther away.
+  /** \brief Shows dots or surface, or none. */
+  void
+  choose ();
+
+  /** \brief Brings lines and strokes nearer to the camera by a little more than the
+   * surface's uncertainty, and leaves them where they are in the picture. Lines on the
+   * far side stay hidden, as that is farther away.
    */
   void
   liftLines ();
@@ -89,12 +131,17 @@ private:
   pcl::PointCloud<pcl::PointNormal>::ConstPtr cloud_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkActor> surface_;
+  vtkNew<vtkActor> dots_;
+  vtkNew<vtkActor> strokes_;
+  vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkActor> lines_;
   /** for each polygon of the surface its point */
   std::vector<index_t> drawn_;
   /** for each cell of the lines its line */
   std::vector<int> line_of_cell_;
   double lift_ = 0.0;
+  int point_size_ = 0;
+  bool surface_visible_ = true;
   unsigned long observer_ = 0;
 };
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is seen of a session, in a window as in a picture.
+#pragma once
+
+#include <pcl_crest/visualization/size_chart.h>
+
+#include <vtkScalarBarActor.h>
+
+#include "point_colors.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief A session's points, colored by what the user asks for, with its lines, the
+ * chart of their sizes and the principal directions.
+ */
+class SessionView {
+public:
+  explicit SessionView (const ViewOptions& options);
+
+  /** \brief Shows a session, which has to live as long as it is shown. */
+  void
+  show (const CrestSession& session);
+
+  /** \brief Shows what a change of thresholds changed. */
+  void
+  update ();
+
+  /** \brief Returns whether the session knows these colors; else nothing changes. */
+  bool
+  setColorMode (ColorMode mode);
+
+  void
+  setDirectionsVisible (bool visible);
+  bool
+  areDirectionsVisible () const
+  {
+    return directions_;
+  }
+
+  CrestScene&
+  getScene ()
+  {
+    return scene_;
+  }
+  SizeChart&
+  getChart ()
+  {
+    return chart_;
+  }
+
+private:
+  void
+  recolor ();
+
+  CrestScene scene_;
+  SizeChart chart_;
+  vtkNew<vtkScalarBarActor> bar_;
+  const CrestSession* session_ = nullptr;
+  ColorMode mode_;
+  bool directions_;
+};
+
+} // namespace crest
+} // namespace pcl
