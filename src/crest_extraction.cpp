@@ -9,6 +9,8 @@
 #include <pcl_crest/sharp_links.h>
 #include <pcl_crest/sharp_profiles.h>
 
+#include "parallel.h"
+
 #include <algorithm>
 #include <iterator>
 #include <tuple>
@@ -128,6 +130,35 @@ significantLinesOf (const OrientedPoints& points,
       points, evidence, traceLines (points, net, type), parameters);
 }
 
+/** \brief Enters the lines of the wanted types, which are traced side by side if there
+ * are threads for it. The times of both are added up.
+ * \param[in] trace returns the lines of a type, and books times
+ */
+template <typename Trace>
+void
+traceTypes (const Parameters& parameters, const Trace& trace, Crests& crests)
+{
+  PerType<std::vector<CrestLine>> lines;
+  PerType<std::vector<StageTime>> times;
+  const int threads = std::min (2, threadCount (parameters.threads));
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+  for (int i = 0; i < 2; ++i) {
+    const CrestType type = CREST_TYPES[i];
+    if (!parameters.wanted[type])
+      continue;
+    Stopwatch watch (times[type]);
+    lines[type] = trace (type, watch);
+    watch.stageDone ("lines");
+  }
+  for (const CrestType type : CREST_TYPES) {
+    crests.sizes[type] = lineSizes (lines[type]);
+    std::move (
+        lines[type].begin(), lines[type].end(), std::back_inserter (crests.lines));
+    for (const StageTime& time : times[type])
+      addTime (crests.times, time);
+  }
+}
+
 /** \brief Section 4.2.
  * \param[in] wide_search makes the search for creases
  * \param[in,out] shape has the graph
@@ -224,12 +255,6 @@ traceCrests (const OrientedPoints& points,
   beginStage (progress, "crest points", CLASSIFIED);
   Crests crests;
   Stopwatch watch (crests.times);
-  const auto take = [&] (CrestType type, std::vector<CrestLine> lines) {
-    crests.sizes[type] = lineSizes (lines);
-    std::move (lines.begin(), lines.end(), std::back_inserter (crests.lines));
-    watch.stageDone ("lines");
-  };
-
   if (parameters.preset == Preset::PAPER) {
     crests.points = classifyCrestPoints (points,
                                          shape.graph,
@@ -239,10 +264,13 @@ traceCrests (const OrientedPoints& points,
     crests.positions = points.positions;
     watch.stageDone ("crest points");
     beginStage (progress, "lines", TRACED);
-    for (const CrestType type : CREST_TYPES)
-      if (parameters.wanted[type])
-        take (type,
-              linesOfPaper (points, shape, crests.points, type, parameters, watch));
+    traceTypes (
+        parameters,
+        [&] (CrestType type, Stopwatch& lines_watch) {
+          return linesOfPaper (
+              points, shape, crests.points, type, parameters, lines_watch);
+        },
+        crests);
     return crests;
   }
   crests.points =
@@ -257,11 +285,13 @@ traceCrests (const OrientedPoints& points,
     where.positions[node.point] = node.crease.foot;
   watch.stageDone ("crest points");
   beginStage (progress, "lines", TRACED);
-  for (const CrestType type : CREST_TYPES)
-    if (parameters.wanted[type])
-      take (type,
-            significantLinesOf (
-                where, shape, evidence, likely_points, type, parameters, watch));
+  traceTypes (
+      parameters,
+      [&] (CrestType type, Stopwatch& lines_watch) {
+        return significantLinesOf (
+            where, shape, evidence, likely_points, type, parameters, lines_watch);
+      },
+      crests);
   crests.positions = std::move (where.positions);
   return crests;
 }

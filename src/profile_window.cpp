@@ -75,7 +75,9 @@ fitPolynomial (const PyramidLevel& level,
     Row row;
     row << 1.0, u, u * u, v, u * v, v * v, round ? 0.0 : u * v * v;
     right_side += w * std::max (sign * fit.k1, sign * fit.k2) * row;
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate (row, w);
+    for (int a = 0; a < TERMS; ++a)
+      for (int b = 0; b <= a; ++b)
+        matrix (a, b) += w * row[a] * row[b];
     weight += w;
     variance += w * fit.k1_error * fit.k1_error;
     ++count;

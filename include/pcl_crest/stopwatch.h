@@ -14,6 +14,18 @@ struct StageTime {
   double milliseconds;
 };
 
+/** \brief Books a time, adding it to that of the same stage if there is one. */
+inline void
+addTime (std::vector<StageTime>& times, const StageTime& time)
+{
+  for (StageTime& known : times)
+    if (known.stage == time.stage) {
+      known.milliseconds += time.milliseconds;
+      return;
+    }
+  times.push_back (time);
+}
+
 /** \brief Tells how long each stage took; a stage that runs twice is added up. */
 class Stopwatch {
 public:
@@ -26,12 +38,7 @@ public:
     const auto now = Clock::now();
     const double ms = std::chrono::duration<double, std::milli> (now - last_).count();
     last_ = now;
-    for (StageTime& time : times_)
-      if (time.stage == stage) {
-        time.milliseconds += ms;
-        return;
-      }
-    times_.push_back ({stage, ms});
+    addTime (times_, {stage, ms});
   }
 
 private:
