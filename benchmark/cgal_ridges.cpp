@@ -49,7 +49,8 @@ findRidges (Mesh& mesh, const Vectors& normals, int degree)
   };
   Vectors d1 = direction ("v:d1"), d2 = direction ("v:d2");
   // Twice the coefficients, 10 or 15.
-  const auto least_points = static_cast<std::size_t> ((degree + 1) * (degree + 2));
+  const auto terms = static_cast<std::size_t> (degree) + 1;
+  const std::size_t least_points = terms * (terms + 1);
   for (const Vertex v : mesh.vertices()) {
     const std::vector<Point> points = ringsAround (mesh, v, least_points);
     CGAL::Monge_via_jet_fitting<Kernel> fit;

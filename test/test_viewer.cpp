@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_crest_viewer as its user calls it. Needs an X display.
+#include <pcl/common/io.h>
 #include <pcl/io/pcd_io.h>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,18 @@ expectCrestsOfWaves (const Picture& picture, const View& view)
   EXPECT_EQ (shareDrawn (picture, view, 0.0, isRed), 0.0);
   EXPECT_EQ (shareDrawn (picture, view, 0.5, isBlue), 0.0);
   EXPECT_LT (count (picture, isBlue) + count (picture, isRed), SIZE * SIZE / 25);
+}
+
+bool
+isLime (const std::array<int, 3>& pixel)
+{
+  return pixel[1] > pixel[0] + 60 && pixel[1] > pixel[2] + 60;
+}
+
+bool
+isOwnColor (const std::array<int, 3>& pixel)
+{
+  return pixel == std::array<int, 3>{10, 200, 30};
 }
 
 /** Runs the viewer; its exit code, and what it said in `said`. */
@@ -131,6 +144,81 @@ TEST_F (Viewer, DrawsTheChartOnRequest)
   EXPECT_GT (inCorner (isWhite), white + 1000);
   EXPECT_GT (inCorner (isBlue), 50);
   EXPECT_GT (inCorner (isRed), 50);
+}
+
+TEST_F (Viewer, OptionsOfPclViewer)
+{
+  const auto picture = [this] (const std::string& options) {
+    std::string said;
+    EXPECT_EQ (
+        runViewer ("", input + " -screenshot " + output + size + " " + options, &said),
+        0)
+        << said;
+    return Picture (contentOf (output));
+  };
+  const Picture surface = picture ("");
+  EXPECT_EQ (count (picture ("-ax 0.5"), isLime), 0) << "the surface is in front of y";
+  const Picture dots = picture ("-ps 1 -ax 0.9");
+  EXPECT_LT (count (dots, isGrey), count (surface, isGrey) / 2);
+  EXPECT_GT (count (dots, isLime), 20);
+  const Picture faint = picture ("-opaque 0.02");
+  EXPECT_LT (count (faint, isGrey), count (surface, isGrey) / 2);
+  const Picture on_dark = picture ("-bc 0,0,0.25 -sliders -color k1");
+  EXPECT_EQ (on_dark (1, SIZE - 2), (std::array<int, 3>{0, 0, 64}));
+  EXPECT_GT (count (picture ("-lw 6"), isBlue), count (surface, isBlue) * 3 / 2);
+  for (const char* wrong : {"-ps 0",
+                            "-ps 65",
+                            "-ps 1.5",
+                            "-opaque 2",
+                            "-bc 0,0",
+                            "-bc 0,0,2",
+                            "-bc 0,0,0,0",
+                            "-ax -1",
+                            "-lw 0",
+                            "-color pink"}) {
+    std::string said;
+    EXPECT_EQ (runViewer ("", input + " -screenshot " + output + " " + wrong, &said),
+               1);
+    EXPECT_NE (said.find (std::string (wrong).substr (0, 3)), std::string::npos)
+        << said;
+  }
+}
+
+TEST_F (Viewer, ColorsOfTheFile)
+{
+  pcl::PointCloud<pcl::PointXYZRGBNormal> colored;
+  pcl::copyPointCloud (*cloud, colored);
+  for (auto& point : colored) {
+    point.r = 10;
+    point.g = 200;
+    point.b = 30;
+  }
+  pcl::io::savePCDFileBinary (input, colored);
+  const std::string arguments = input + " -screenshot " + output + size;
+  ASSERT_EQ (runViewer ("", arguments + " -color rgb"), 0);
+  const Picture picture (contentOf (output));
+  EXPECT_GT (count (picture, isOwnColor), SIZE * SIZE / 2);
+  pcl::io::savePCDFileBinary (input, *cloud);
+  std::string said;
+  EXPECT_EQ (runViewer ("", arguments + " -color rgb", &said), 2);
+  EXPECT_NE (said.find ("waves.pcd: it has no colors"), std::string::npos) << said;
+}
+
+TEST_F (Viewer, SaysWhatIsWrongWithTheCloud)
+{
+  const auto fails = [this] (const std::string& content, const std::string& why) {
+    std::ofstream (folder + "/bad.xyz") << content;
+    for (const std::string& way : {std::string(), " -screenshot " + output}) {
+      std::string said;
+      EXPECT_EQ (runViewer ("", folder + "/bad.xyz" + way, &said), 2) << way;
+      EXPECT_NE (said.find ("bad.xyz"), std::string::npos) << said;
+      EXPECT_NE (said.find (why), std::string::npos) << said;
+    }
+  };
+  fails ("", "it is empty");
+  fails ("nan nan nan\nnan nan nan\n", "nothing to show");
+  fails ("1 2 three\n", "expected");
+  EXPECT_FALSE (std::filesystem::exists (output));
 }
 
 TEST_F (Viewer, SaysThatItNeedsADisplay)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkCallbackCommand.h>
+#include <vtkInteractorEventRecorder.h>
 #include <vtkSliderRepresentation2D.h>
 
 #include "../tools/command_line.h"
@@ -119,6 +120,12 @@ protected:
 };
 
 bool
+isGreen (const std::array<int, 3>& pixel)
+{
+  return pixel[1] > pixel[0] + 50 && pixel[1] > pixel[2] + 30;
+}
+
+bool
 isColored (const std::array<int, 3>& pixel)
 {
   const auto [low, high] = std::minmax_element (pixel.begin(), pixel.end());
@@ -187,6 +194,77 @@ TEST_F (Window, KeysShowAndHide)
   press ('1');
   // The text at the bottom, which changes, runs over the ends of lines.
   EXPECT_NEAR (count (picture(), isColored), before, 50);
+}
+
+TEST_F (Window, KeysOfPointsAndLines)
+{
+  open (Preset::AUTO);
+  const Picture surface = picture();
+  press ('d');
+  EXPECT_GT (count (picture(), isGreen), 300);
+  press ('d');
+  EXPECT_EQ (count (picture(), isGreen), 0);
+  press ('+');
+  const int small_dots = count (picture(), isGrey);
+  EXPECT_LT (small_dots, count (surface, isGrey) / 2);
+  press ('+');
+  EXPECT_GT (count (picture(), isGrey), small_dots + 1000);
+  press ('-');
+  EXPECT_EQ (count (picture(), isGrey), small_dots);
+  press ('-');
+  // The text at the bottom has changed.
+  EXPECT_NEAR (count (picture(), isGrey), count (surface, isGrey), 2000);
+  for (int i = 0; i < 4; ++i)
+    press (']');
+  EXPECT_GT (count (picture(), isBlue), count (surface, isBlue) * 5 / 4);
+  for (int i = 0; i < 6; ++i)
+    press ('[');
+  EXPECT_LT (count (picture(), isBlue), count (surface, isBlue));
+  press ('6');
+  EXPECT_EQ (window_->getMessage(), "the file has no colors");
+}
+
+// What a user did is recorded here, and done again to a window that nobody has touched.
+TEST_F (Window, RecordedInteractionReplays)
+{
+  const std::string log = directory_.file ("events.log");
+  open (Preset::PAPER);
+  vtkNew<vtkInteractorEventRecorder> recorder;
+  recorder->SetInteractor (window_->getInteractor());
+  recorder->SetFileName (log.c_str());
+  // Before the window, which keeps its keys for itself; and i is one of these.
+  recorder->SetPriority (3.0F);
+  recorder->KeyPressActivationOff();
+  recorder->On();
+  recorder->Record();
+  drag (0, 0.3);
+  drag (1, 0.7);
+  drag (2, 0.2);
+  for (const char key : std::string ("23456divddv1n+-[]tyivnp"))
+    press (key);
+  recorder->Stop();
+  recorder->Off();
+  const auto& session = window_->getSession();
+  const Parameters recorded = session.getParameters();
+  const std::size_t lines = session.getLines().size();
+  EXPECT_NE (recorded.maximality.ridge, Parameters().maximality.ridge);
+  EXPECT_NE (recorded.maximality.valley, Parameters().maximality.valley);
+  EXPECT_GT (recorded.min_size.ridge.value_or (0), 10);
+  const std::string shown = contentOf (directory_.file ("waves.png"));
+  std::filesystem::remove (directory_.file ("waves.png"));
+
+  open (Preset::PAPER);
+  vtkNew<vtkInteractorEventRecorder> player;
+  player->SetInteractor (window_->getInteractor());
+  player->SetFileName (log.c_str());
+  player->Play();
+  const Parameters& replayed = window_->getSession().getParameters();
+  EXPECT_EQ (optionsOf (replayed), optionsOf (recorded));
+  EXPECT_EQ (window_->getSession().getLines().size(), lines);
+  const Picture again (contentOf (directory_.file ("waves.png")));
+  EXPECT_GT (count (again, isBlue), 100);
+  EXPECT_NEAR (count (again, isBlue), count (Picture (shown), isBlue), 20);
+  expectExportOfLineTool();
 }
 
 TEST_F (Window, ChartHasBarsOfBothTypes)

@@ -31,7 +31,7 @@ SessionView::SessionView (const ViewOptions& options)
   bar_->GetBackgroundProperty()->SetColor (
       background.x(), background.y(), background.z());
   bar_->SetVerticalTitleSeparation (8);
-  bar_->SetLabelFormat ("%-#.3g");
+  bar_->SetLabelFormat ("%-.3g");
   Eigen::Vector3d ink = inkOn (background);
   for (vtkTextProperty* const property :
        {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
@@ -40,6 +40,8 @@ SessionView::SessionView (const ViewOptions& options)
     property->BoldOff();
     property->ItalicOff();
     property->ShadowOff();
+    property->SetBackgroundColor (background.x(), background.y(), background.z());
+    property->SetBackgroundOpacity (1.0);
   }
   bar_->VisibilityOff();
   scene_.getRenderer()->AddActor (bar_);

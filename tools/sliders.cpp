@@ -53,6 +53,10 @@ makeRepresentation (const Threshold& threshold,
   slider->GetSliderProperty()->SetColor (0.2, 0.2, 0.2);
   slider->GetTubeProperty()->SetColor (0.6, 0.6, 0.6);
   slider->GetTitleProperty()->SetColor (ink.data());
+  // So that it can be read over the points, too.
+  Eigen::Vector3d paper = Eigen::Vector3d::Ones() - ink;
+  slider->GetTitleProperty()->SetBackgroundColor (paper.data());
+  slider->GetTitleProperty()->SetBackgroundOpacity (0.7);
   slider->GetTitleProperty()->BoldOff();
   slider->GetTitleProperty()->ItalicOff();
   slider->GetTitleProperty()->ShadowOff();

@@ -6,11 +6,9 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
-#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
@@ -24,6 +22,7 @@ namespace {
 
 constexpr double LINE_WIDTH = 2.5;
 constexpr double GREY = 0.85;
+constexpr double DOT_GREY = 0.6;
 constexpr double GREEN[] = {0.0, 0.45, 0.2};
 constexpr unsigned char BLUE[] = {10, 40, 220};
 constexpr unsigned char RED[] = {220, 15, 15};
@@ -59,24 +58,20 @@ setDataOf (vtkActor* actor, vtkPolyData* data)
   vtkPolyDataMapper::SafeDownCast (actor->GetMapper())->SetInputData (data);
 }
 
-/** \brief A vertex with its normal for each of some points. */
+/** \brief A vertex for each of some points. */
 vtkSmartPointer<vtkPolyData>
 makeDots (const pcl::PointCloud<pcl::PointNormal>& cloud,
           const std::vector<index_t>& drawn)
 {
   vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents (3);
   vtkNew<vtkCellArray> vertices;
   for (const index_t index : drawn) {
     vertices->InsertNextCell (1);
     vertices->InsertCellPoint (points->InsertNextPoint (cloud[index].data));
-    normals->InsertNextTuple (cloud[index].normal);
   }
   auto dots = vtkSmartPointer<vtkPolyData>::New();
   dots->SetPoints (points);
   dots->SetVerts (vertices);
-  dots->GetPointData()->SetNormals (normals);
   return dots;
 }
 
@@ -114,8 +109,10 @@ CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
     actor->SetMapper (mapper);
     renderer_->AddActor (actor);
   }
-  for (vtkActor* actor : {surface_.Get(), dots_.Get()})
-    actor->GetProperty()->SetColor (GREY, GREY, GREY);
+  surface_->GetProperty()->SetColor (GREY, GREY, GREY);
+  // Light would leave those that face away black.
+  dots_->GetProperty()->SetColor (DOT_GREY, DOT_GREY, DOT_GREY);
+  dots_->GetProperty()->LightingOff();
   strokes_->GetProperty()->SetColor (GREEN[0], GREEN[1], GREEN[2]);
   strokes_->GetProperty()->LightingOff();
   axes_->AxisLabelsOff();
@@ -171,10 +168,9 @@ CrestScene::setColors (const std::vector<Color>& colors, bool shaded)
     for (const index_t point : drawn_)
       scalars->InsertNextTypedTuple (colors[point].data());
   }
-  for (vtkActor* actor : {surface_.Get(), dots_.Get()}) {
+  for (vtkActor* actor : {surface_.Get(), dots_.Get()})
     dataOf (actor)->GetCellData()->SetScalars (scalars);
-    actor->GetProperty()->SetLighting (shaded);
-  }
+  surface_->GetProperty()->SetLighting (shaded);
 }
 
 void

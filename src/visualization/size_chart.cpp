@@ -55,10 +55,12 @@ setTitle (vtkAxis& axis, const char* title)
 SizeChart::SizeChart (vtkRenderer* renderer) : renderer_ (renderer)
 {
   chart_->SetAutoSize (false);
-  chart_->GetBackgroundBrush()->SetColor (255, 255, 255, 255);
+  background_->GetBrush()->SetColor (255, 255, 255, 255);
+  background_->GetPen()->SetLineType (vtkPen::NO_PEN);
   vtkAxis& across = *chart_->GetAxis (vtkAxis::BOTTOM);
   setTitle (across, "points on a line");
   across.SetBehavior (vtkAxis::FIXED);
+  actor_->GetScene()->AddItem (background_);
   actor_->GetScene()->AddItem (chart_);
   actor_->VisibilityOff();
   renderer_->AddActor (actor_);
@@ -160,10 +162,12 @@ void
 SizeChart::place()
 {
   const int* const size = renderer_->GetSize();
-  chart_->SetSize (vtkRectf (static_cast<float> ((1.0 - PART) * size[0]),
-                             static_cast<float> ((1.0 - PART) * size[1]),
-                             static_cast<float> (PART * size[0]),
-                             static_cast<float> (PART * size[1])));
+  std::array<float, 4> corner{static_cast<float> ((1.0 - PART) * size[0]),
+                              static_cast<float> ((1.0 - PART) * size[1]),
+                              static_cast<float> (PART * size[0]),
+                              static_cast<float> (PART * size[1])};
+  background_->SetDimensions (corner.data());
+  chart_->SetSize (vtkRectf (corner[0], corner[1], corner[2], corner[3]));
 }
 
 } // namespace crest

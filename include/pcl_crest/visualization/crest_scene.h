@@ -64,7 +64,7 @@ public:
 
   /** \brief Colors the surface.
    * \param[in] colors one for each point of the cloud shown; none for all grey
-   * \param[in] shaded by the normals, or exactly these colors
+   * \param[in] shaded by the normals, or exactly these colors as dots always are
    */
   void
   setColors (const std::vector<Color>& colors, bool shaded = true);

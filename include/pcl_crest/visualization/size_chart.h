@@ -4,6 +4,7 @@
 
 #include <pcl_crest/crest_lines.h>
 
+#include <vtkBlockItem.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkNew.h>
@@ -53,6 +54,8 @@ private:
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkNew<vtkContextActor> actor_;
+  /** the chart's own background lacks what is beside its axes */
+  vtkNew<vtkBlockItem> background_;
   vtkNew<vtkChartXY> chart_;
   PerType<LineSizes> sizes_;
   PerType<int> min_size_{0, 0};
