@@ -12,6 +12,7 @@
 #include "parallel.h"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <tuple>
 
@@ -140,17 +141,26 @@ traceTypes (const Parameters& parameters, const Trace& trace, Crests& crests)
 {
   PerType<std::vector<CrestLine>> lines;
   PerType<std::vector<StageTime>> times;
+  PerType<std::exception_ptr> failures;
   const int threads = std::min (2, threadCount (parameters.threads));
 #pragma omp parallel for schedule(static, 1) num_threads(threads)
   for (int i = 0; i < 2; ++i) {
     const CrestType type = CREST_TYPES[i];
     if (!parameters.wanted[type])
       continue;
-    Stopwatch watch (times[type]);
-    lines[type] = trace (type, watch);
-    watch.stageDone ("lines");
+    // No exception may leave a parallel region.
+    try {
+      Stopwatch watch (times[type]);
+      lines[type] = trace (type, watch);
+      watch.stageDone ("lines");
+    }
+    catch (...) {
+      failures[type] = std::current_exception();
+    }
   }
   for (const CrestType type : CREST_TYPES) {
+    if (failures[type])
+      std::rethrow_exception (failures[type]);
     crests.sizes[type] = lineSizes (lines[type]);
     std::move (
         lines[type].begin(), lines[type].end(), std::back_inserter (crests.lines));
@@ -329,9 +339,13 @@ keepLines (const OrientedPoints& points,
       where.positions = points.positions;
   }
   measureLines (where, shape.graph, shape.curvature, crests.lines);
+  const std::size_t measured = crests.lines.size();
   removeIf ([&parameters] (const CrestLine& line) {
     return line.strength < parameters.min_strength;
   });
+  // Where the others met one that is gone there is no junction any more.
+  if (crests.lines.size() < measured)
+    measureLines (where, shape.graph, shape.curvature, crests.lines);
   crests.positions = std::move (where.positions);
   return crests;
 }

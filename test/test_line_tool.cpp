@@ -273,9 +273,20 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
           "-absolute ",  "-S ",          "-S_ridge ", "-S_valley ",   "-strength ",
           "-prune ",     "-preset ",     "-angle ",   "-min_length ", "-confidence ",
           "-positions ", "-boundaries ", "-type ",    "-threads ",    "-lines ",
-          "-stats ",     "-curvatures ", "-search ",  "-h ",          "(default 24)"})
+          "-stats ",     "-curvatures ", "-search ",  "-quiet ",      "-h ",
+          "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
+}
+
+TEST_F (LineTool, QuietPrintsErrorsOnly)
+{
+  const Outcome result = run ({input(), outputs_.file ("o.pcd"), "-quiet"});
+  EXPECT_EQ (0, result.code);
+  EXPECT_EQ ("", result.out);
+  EXPECT_EQ ("", result.error);
+  EXPECT_EQ (std::vector<std::string>{"o.pcd"}, outputs_.names());
+  EXPECT_NE ("", run ({"nowhere.xyz", outputs_.file ("p.pcd"), "-quiet"}).error);
 }
 
 TEST_F (LineTool, WrongUsage)

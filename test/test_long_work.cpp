@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "parallel.h"
 #include "support/analytic_surface.h"
 #include "support/extraction.h"
+
+#include <thread>
 
 using namespace pcl::crest;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
@@ -134,6 +137,33 @@ TEST (LongWork, StopsWhereTheCallbackSaysSo)
       estimation.compute (labels);
       EXPECT_EQ (labels.size(), cloud()->size());
     }
+}
+
+TEST (LongWork, StopsWithinALoop)
+{
+  constexpr std::size_t BLOCKS = 60;
+  for (const unsigned threads : {1U, 2U}) {
+    std::size_t calls = 0;
+    Progress progress ([&, caller = std::this_thread::get_id()] (
+                           const std::string& stage, double done) {
+      EXPECT_EQ (stage, "a loop");
+      EXPECT_EQ (std::this_thread::get_id(), caller);
+      EXPECT_LT (done, 0.5);
+      // The first call is that of the stage's begin.
+      return ++calls < 3;
+    });
+    progress.beginStage ("a loop", 0.5);
+    std::atomic<std::size_t> done{0};
+    const auto work = [&] (std::size_t, std::size_t, std::size_t) {
+      std::this_thread::sleep_for (std::chrono::milliseconds (20));
+      ++done;
+    };
+    EXPECT_THROW (forEachBlock (BLOCKS * BLOCK_SIZE, {threads, &progress}, work),
+                  Cancelled);
+    EXPECT_EQ (calls, 3U);
+    EXPECT_GT (done, 0U);
+    EXPECT_LT (done, BLOCKS);
+  }
 }
 
 TEST (LongWork, AnalysisGivesWhatStartingAnewGives)

@@ -351,7 +351,7 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
       if (waiting->getMessage() == "endless work ...")
         waiting->getInteractor()->ExitCallback();
     });
-    window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit);
+    window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);
     std::string error;
     const bool done = window.run (
         [] (const ViewerWindow::Tell& tell, std::string&) {

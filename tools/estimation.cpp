@@ -19,6 +19,7 @@ estimate (const std::string& file,
   result.estimation.setParameters (parameters);
   result.estimation.setProgressCallback (progress);
   result.estimation.compute (result.labels);
+  result.estimation.setProgressCallback (nullptr);
   if (result.labels.size() == result.cloud.points->size())
     return EXIT_DONE;
   error = "the crest lines could not be computed";

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -92,7 +91,7 @@ addViewOptions (Options& options, ViewOptions& view)
   options.add ("-ax",
                "X",
                "draw axes of this length, x red, y green, z blue",
-               fromRange (0.0, std::numeric_limits<double>::max(), view.axes));
+               fromRange (0.0, 1e30, view.axes));
   options.addFlag (
       "-directions", "draw principal directions from the start", view.directions);
   options.addFlag ("-chart", "show the chart of line sizes from the start", view.chart);

@@ -26,21 +26,21 @@ constexpr float FIRST = 2.0F;
 constexpr double FAST_MILLISECONDS = 60.0;
 constexpr int POLL_MILLISECONDS = 50;
 
-/** \brief Takes keys before the interactor's style does, which gets the others. */
-class KeyCommand : public vtkCommand {
+/** \brief Takes events before the interactor's style does, which gets the others. */
+class TakingCommand : public vtkCommand {
 public:
-  static KeyCommand*
+  static TakingCommand*
   New ()
   {
-    return new KeyCommand;
+    return new TakingCommand;
   }
   void
-  Execute (vtkObject*, unsigned long event, void*) override
+  Execute (vtkObject*, unsigned long event, void* data) override
   {
-    if (take (event))
+    if (take (event, data))
       AbortFlagOn();
   }
-  std::function<bool (unsigned long)> take;
+  std::function<bool (unsigned long event, void* data)> take;
 };
 
 } // namespace
@@ -81,14 +81,22 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
   view_.getScene().getRenderer()->AddActor (text_);
   vtkRenderWindowInteractor* const interactor = getInteractor();
   for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent}) {
-    vtkNew<KeyCommand> command;
-    command->take = [this] (unsigned long id) { return keyPressed (id); };
+    vtkNew<TakingCommand> command;
+    command->take = [this] (unsigned long id, void*) { return keyPressed (id); };
     interactor->AddObserver (event, command, FIRST);
   }
   // Between press and release the style has the mouse for itself: it passes both on.
   viewer_->registerMouseCallback (
       [this] (const pcl::visualization::MouseEvent& event) { mouseMoved (event); });
-  interactor->AddObserver (vtkCommand::TimerEvent, this, &ViewerWindow::poll, FIRST);
+  // The style would render at each tick.
+  vtkNew<TakingCommand> tick;
+  tick->take = [this] (unsigned long, void* timer) {
+    if (timer == nullptr || *static_cast<int*> (timer) != timer_)
+      return false;
+    poll();
+    return true;
+  };
+  interactor->AddObserver (vtkCommand::TimerEvent, tick, FIRST);
 }
 
 ViewerWindow::~ViewerWindow()
@@ -135,7 +143,7 @@ ViewerWindow::run (const Load& load, std::string& error)
                          [this, load, tell] { return load (tell, load_error_); });
   view_.getScene().getRenderer()->ResetCamera();
   window_->Render();
-  getInteractor()->CreateRepeatingTimer (POLL_MILLISECONDS);
+  timer_ = getInteractor()->CreateRepeatingTimer (POLL_MILLISECONDS);
   viewer_->spin();
   if (loading_.valid())
     return false;
@@ -144,7 +152,7 @@ ViewerWindow::run (const Load& load, std::string& error)
 }
 
 void
-ViewerWindow::poll (vtkObject*, unsigned long, void*)
+ViewerWindow::poll()
 {
   if (!loading_.valid())
     return;

@@ -95,7 +95,7 @@ private:
   void
   say (const std::string& message);
   void
-  poll (vtkObject* caller, unsigned long event, void* data);
+  poll ();
 
   WindowOptions options_;
   SessionView view_;
@@ -107,10 +107,12 @@ private:
   std::string message_;
   std::array<int, 2> pressed_{};
 
-  std::future<std::unique_ptr<CrestSession>> loading_;
   std::mutex stage_mutex_;
   std::string stage_;
   std::string load_error_;
+  int timer_ = -1;
+  /** the last member, as its end waits for the thread that uses those above */
+  std::future<std::unique_ptr<CrestSession>> loading_;
 };
 
 } // namespace crest

@@ -48,7 +48,7 @@ public:
   {
     const double step = (stage_end_ - stage_begin_) / parts;
     part_begin_ = stage_begin_ + part * step;
-    part_end_ = part_begin_ + step;
+    part_end_ = std::min (part_begin_ + step, stage_end_);
     check();
   }
 

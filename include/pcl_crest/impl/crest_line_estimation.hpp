@@ -265,6 +265,10 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
               "output.\n",
               getClassName().c_str());
   }
+  catch (...) {
+    this->deinitCompute();
+    throw;
+  }
   if (!result_.complete) {
     result_ = Result();
     output.clear();
