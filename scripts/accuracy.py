@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 from accuracy_pictures import contact_sheets, plot_f1, surface_sheet
-from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, run
+from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, run, table
 
 # What issue and method aim at: precision, recall, error in spacings.
 GOALS = {0: (.98, .98, .15), .05: (.97, .95, .30), .2: (.95, .93, .40), .5: (.93, .85, .55), 1: (.85, .70, .75)}
@@ -29,11 +29,6 @@ def number(value, digits=2):
     if value is None:
         return "-"
     return f"{value:.{digits}f}".replace("0.", ".", 1) if value < 1 else f"{value:.{digits}f}"
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
 
 
 def scored(runs):

@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, quantise, run
+from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, quantise, run, table
 
 SIZES = [10_000, 100_000, 1_000_000, 10_000_000]
 LARGEST = 30_000_000
@@ -59,11 +59,6 @@ class Results:
     def ratio(self, a, b):
         """The median of the ratios within a repetition; a and b as the arguments of all."""
         return median(x / y for x, y in zip(self.all(*a), self.all(*b)))
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
 
 
 def against(value, goal, at_least=False):

@@ -28,6 +28,12 @@ def screenshot(cloud, options, file, size):
         cloud, *options, "-size", f"{size}x{size}", "-screenshot", file)
 
 
+def table(head, rows):
+    """A table in Markdown."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
 def processor():
     for line in Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("model name"):

@@ -130,7 +130,7 @@ public:
       if (count == NOISE_WINDOW)
         noise_ = CERTAIN_NOISE * of_cubic;
       // In the frame of the edge it will be a little different.
-      if (of_cubic - (count > NOISE_WINDOW ? noise_ : 0.0) > 0.5 * LEAST_OF_CUBIC)
+      if (of_cubic - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
         fitWindow (sample, count, of_cubic, best);
     }
     return best;
@@ -153,13 +153,20 @@ private:
   /** Three for each, and the choice between them. */
   static constexpr std::size_t PLANE_PARAMETERS = 7;
 
+  /** \brief What is noise for certain in the residual of a window. */
+  double
+  noiseOf (std::size_t count) const
+  {
+    return count > NOISE_WINDOW ? noise_ : 0.0;
+  }
+
   /** \brief The mean squared distance from two planes up to which they are better than
    * a cubic.
    */
   double
   largestResidual (std::size_t count, double of_cubic) const
   {
-    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double noise = noiseOf (count);
     const double by_ratio =
         LARGEST_RATIO * (std::max (0.0, of_cubic - noise) + ZERO) - ZERO + noise;
     const double by_evidence =
@@ -210,7 +217,7 @@ private:
     const double noisy_ratio = (of_planes + ZERO) / (of_smooth + ZERO);
     if (of_planes > largestResidual (count, of_smooth) || noisy_ratio > smallest_ratio_)
       return;
-    const double noise = count > NOISE_WINDOW ? noise_ : 0.0;
+    const double noise = noiseOf (count);
     const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
                          (std::max (0.0, of_smooth - noise) + ZERO);
     smallest_ratio_ = noisy_ratio;

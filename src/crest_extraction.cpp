@@ -183,13 +183,12 @@ analyzeCurvature (const OrientedPoints& points,
                   Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  if (parameters.preset == Preset::AUTO)
-    beginStage (progress, "creases", CREASES_FOUND);
-  else
+  if (parameters.preset == Preset::PAPER) {
     beginStage (progress, "curvature", CURVED);
-  if (parameters.preset == Preset::PAPER)
     shape.curvature = estimateCurvature (points, shape.graph, workers);
+  }
   else {
+    beginStage (progress, "creases", CREASES_FOUND);
     const NeighborSearch search = wide_search();
     shape.sharp_lines =
         traceCreases (points,

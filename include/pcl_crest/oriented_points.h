@@ -17,9 +17,6 @@ namespace crest {
  * `position + i * stride` and `normal + i * stride`, strides in floats.
  */
 struct PointView {
-  /** the most points that 32-bit indices can tell apart */
-  static constexpr std::size_t MOST_POINTS = 0x7fffffff;
-
   const float* position;
   const float* normal;
   std::size_t stride;

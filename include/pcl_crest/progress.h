@@ -39,7 +39,8 @@ public:
     stage_begin_ = done_ = stage_end_;
     stage_end_ = end;
     beginPart (0, 1);
-    tell();
+    ask();
+    check();
   }
 
   /** \brief Begins one of several parts of a stage. */
@@ -83,13 +84,6 @@ private:
     told_ = std::chrono::steady_clock::now();
     if (callback_ && !callback_ (stage_, done_))
       cancelled_ = true;
-  }
-
-  void
-  tell ()
-  {
-    ask();
-    check();
   }
 
   ProgressCallback callback_;

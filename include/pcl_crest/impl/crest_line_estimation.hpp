@@ -4,6 +4,7 @@
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/impl/cloud_results.hpp>
 #include <pcl_crest/impl/neighbor_search.hpp>
+#include <pcl_crest/search/point_tree.h>
 
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -27,10 +28,10 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   };
 
   for (const auto& cloud : {input_, surface_})
-    if (cloud && cloud->size() > crest::PointView::MOST_POINTS)
+    if (cloud && cloud->size() > crest::MOST_POINTS)
       return refuse ("A cloud of " + std::to_string (cloud->size()) +
                      " points is too large for 32-bit indices, which tell " +
-                     std::to_string (crest::PointView::MOST_POINTS) +
+                     std::to_string (crest::MOST_POINTS) +
                      " points apart: compute it in parts that overlap");
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
@@ -210,12 +211,13 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   const std::vector<crest::Label> labels =
       crest::labelPoints (*shape, crests, parameters);
   if (keep_analysis_)
-    result_.analysis = std::make_shared<const crest::SurfaceAnalysis> (
-        crest::SurfaceAnalysis{crest::fingerprint (viewOf (*surface_)),
-                               points,
-                               shape,
-                               traced,
-                               parameters});
+    result_.analysis =
+        std::make_shared<const crest::SurfaceAnalysis> (crest::SurfaceAnalysis{
+            analysis_ ? analysis_->cloud : crest::fingerprint (viewOf (*surface_)),
+            points,
+            shape,
+            traced,
+            parameters});
   result_.statistics = {
       shape->graph.mean_spacing, points->extent, std::move (crests.sizes), times};
   if (analyzed && !keep_analysis_) {
