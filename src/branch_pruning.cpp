@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <queue>
 #include <tuple>
 
@@ -20,13 +21,93 @@ struct Branch {
   /** of what decides, points or a part of the limit */
   double size;
   double length;
-  int end;
+  index_t end;
 
   bool
   operator> (const Branch& o) const
   {
     return std::tie (size, length, end) > std::tie (o.size, o.length, o.end);
   }
+};
+
+/** \brief A graph that loses its branches. Of the neighbours of a point it keeps the
+ * number and the exclusive or, which is all that a walk asks for: an end has one
+ * neighbour, and on the way the one that is not behind comes next.
+ */
+class BranchGraph {
+public:
+  BranchGraph (std::size_t size, const std::vector<CrestEdge>& edges) : nodes_ (size)
+  {
+    for (const CrestEdge& edge : edges) {
+      join (edge.a, edge.b);
+      join (edge.b, edge.a);
+    }
+  }
+
+  std::vector<index_t>
+  ends () const
+  {
+    std::vector<index_t> found;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (nodes_[i].degree == 1)
+        found.push_back (static_cast<index_t> (i));
+    return found;
+  }
+
+  bool
+  isJunction (index_t point) const
+  {
+    return nodes_[point].degree > 2;
+  }
+
+  /** \brief Walks from an end to the next point that does not simply go on, or until
+   * the path has `limit` points.
+   */
+  void
+  walk (index_t end, std::size_t limit, std::vector<index_t>& path) const
+  {
+    path.assign ({end, nodes_[end].neighbors});
+    while (nodes_[path.back()].degree == 2 && path.size() < limit)
+      path.push_back (nodes_[path.back()].neighbors ^ path[path.size() - 2]);
+  }
+
+  /** \brief Removes the edges of the path from an end to a junction. */
+  void
+  remove (const std::vector<index_t>& path)
+  {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+      nodes_[path[i]] = Node();
+    Node& junction = nodes_[path.back()];
+    junction.neighbors ^= path[path.size() - 2];
+    --junction.degree;
+  }
+
+  /** \brief Of the edges that the graph was made of those not removed. */
+  std::vector<CrestEdge>
+  remaining (const std::vector<CrestEdge>& edges) const
+  {
+    std::vector<CrestEdge> kept;
+    std::copy_if (
+        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
+          return nodes_[e.a].degree > 0 && nodes_[e.b].degree > 0;
+        });
+    return kept;
+  }
+
+private:
+  struct Node {
+    index_t neighbors = 0;
+    int degree = 0;
+  };
+
+  void
+  join (index_t point, index_t neighbor)
+  {
+    nodes_[point].neighbors ^= neighbor;
+    ++nodes_[point].degree;
+  }
+
+  std::vector<Node> nodes_;
 };
 
 /** \brief Prunes the branches of up to the largest size, smallest first.
@@ -39,33 +120,41 @@ prune (const OrientedPoints& points,
        double largest,
        std::size_t most,
        const Size& size,
-       Forest& forest)
+       BranchGraph& graph)
 {
   // The path of a branch ends with its junction, and has one point more if too long.
-  std::vector<int> path;
-  const auto isShortBranch = [&] (int end) {
-    forest.walk (end, forest.neighbors (end)[0], most + 2, path);
-    return forest.isJunction (path.back()) && size (path) <= largest;
+  std::vector<index_t> path;
+  const auto isShortBranch = [&] (index_t end) {
+    graph.walk (end, most + 2, path);
+    return graph.isJunction (path.back()) && size (path) <= largest;
   };
-  std::priority_queue<Branch, std::vector<Branch>, std::greater<>> branches;
-  const auto push = [&] (int end) {
-    branches.push ({size (path), forest.length (points, path), end});
+  const auto measure = [&] (index_t end) {
+    return Branch{size (path), polylineLength (points, path), end};
   };
 
-  for (int v = 0; v < forest.size(); ++v)
-    if (forest.degree (v) == 1 && isShortBranch (v))
-      push (v);
-  while (!branches.empty()) {
-    const Branch shortest = branches.top();
-    branches.pop();
+  std::vector<Branch> branches;
+  for (const index_t end : graph.ends())
+    if (isShortBranch (end))
+      branches.push_back (measure (end));
+  std::sort (branches.begin(), branches.end(), std::greater<>());
+  // The few that became longer wait beside the many that are sorted at once.
+  std::priority_queue<Branch, std::vector<Branch>, std::greater<>> longer;
+  while (!branches.empty() || !longer.empty()) {
+    Branch shortest{};
+    if (longer.empty() || (!branches.empty() && longer.top() > branches.back())) {
+      shortest = branches.back();
+      branches.pop_back();
+    }
+    else {
+      shortest = longer.top();
+      longer.pop();
+    }
     if (!isShortBranch (shortest.end))
       continue;
-    if (size (path) > shortest.size) {
-      push (shortest.end);
-      continue;
-    }
-    for (std::size_t i = 1; i < path.size(); ++i)
-      forest.removeEdge (path[i - 1], path[i]);
+    if (size (path) > shortest.size)
+      longer.push (measure (shortest.end));
+    else
+      graph.remove (path);
   }
 }
 
@@ -76,8 +165,8 @@ pruneBranches (const OrientedPoints& points,
                const std::vector<CrestEdge>& forest,
                std::size_t largest)
 {
-  Forest trees (forest);
-  const auto count = [] (const std::vector<int>& path) {
+  BranchGraph trees (points.size(), forest);
+  const auto count = [] (const std::vector<index_t>& path) {
     return static_cast<double> (path.size() - 1);
   };
   const std::size_t most = std::max<std::size_t> (1, largest);
@@ -90,9 +179,9 @@ pruneShortBranches (const OrientedPoints& points,
                     const std::vector<CrestEdge>& edges,
                     const std::vector<float>& limits)
 {
-  Forest graph (edges);
-  const auto part_of_limit = [&] (const std::vector<int>& path) {
-    return graph.length (points, path) / limits[graph.packed (path.back())];
+  BranchGraph graph (points.size(), edges);
+  const auto part_of_limit = [&] (const std::vector<index_t>& path) {
+    return polylineLength (points, path) / limits[path.back()];
   };
   prune (points, 1.0, points.size(), part_of_limit, graph);
   return graph.remaining (edges);

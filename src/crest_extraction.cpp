@@ -186,6 +186,10 @@ analyzeCurvature (const OrientedPoints& points,
   if (parameters.preset == Preset::PAPER) {
     beginStage (progress, "curvature", CURVED);
     shape.curvature = estimateCurvature (points, shape.graph, workers);
+    watch.stageDone ("curvature");
+    shape.maximality =
+        measureMaximality (points, shape.graph, shape.curvature, workers);
+    watch.stageDone ("maximality");
   }
   else {
     beginStage (progress, "creases", CREASES_FOUND);
@@ -202,8 +206,8 @@ analyzeCurvature (const OrientedPoints& points,
         profileSharpCrests (points, shape.graph, shape.sharp_lines, workers);
     for (const CrestProfile& profile : shape.profiles)
       shape.curvature.push_back (profile.curvature);
+    watch.stageDone ("curvature");
   }
-  watch.stageDone ("curvature");
 }
 
 } // namespace
@@ -265,12 +269,8 @@ traceCrests (const OrientedPoints& points,
   Crests crests;
   Stopwatch watch (crests.times);
   if (parameters.preset == Preset::PAPER) {
-    crests.points = classifyCrestPoints (points,
-                                         shape.graph,
-                                         shape.curvature,
-                                         absoluteMaximality (points, parameters),
-                                         workers);
-    crests.positions = points.positions;
+    crests.points = classifyCrestPoints (
+        shape.curvature, shape.maximality, absoluteMaximality (points, parameters));
     watch.stageDone ("crest points");
     beginStage (progress, "lines", TRACED);
     traceTypes (
@@ -328,15 +328,16 @@ keepLines (const OrientedPoints& points,
       crests.sizes[type].clear();
 
   // Lines need no normals to run and to be measured.
-  OrientedPoints where;
-  where.positions = std::move (crests.positions);
+  OrientedPoints moved;
   if (parameters.preset == Preset::AUTO) {
-    smoothLines (crests.lines, shape.profiles, shape.graph, where);
+    moved.positions = std::move (crests.positions);
+    smoothLines (crests.lines, shape.profiles, shape.graph, moved);
     measureProfiles (shape.profiles, crests.points, crests.lines);
     watch.stageDone ("smoothing");
     if (parameters.positions == Positions::SAMPLES)
-      where.positions = points.positions;
+      moved = OrientedPoints();
   }
+  const OrientedPoints& where = moved.size() > 0 ? moved : points;
   measureLines (where, shape.graph, shape.curvature, crests.lines);
   const std::size_t measured = crests.lines.size();
   removeIf ([&parameters] (const CrestLine& line) {
@@ -345,7 +346,7 @@ keepLines (const OrientedPoints& points,
   // Where the others met one that is gone there is no junction any more.
   if (crests.lines.size() < measured)
     measureLines (where, shape.graph, shape.curvature, crests.lines);
-  crests.positions = std::move (where.positions);
+  crests.positions = std::move (moved.positions);
   return crests;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace pcl {
@@ -68,40 +69,60 @@ struct GrowingForest {
   DisjointSets trees;
   std::vector<CrestEdge> edges;
 
-  /** \brief Takes for each point of a membership, all of which are trees of their own,
-   * the shortest edge of a type: the first step of Boruvka (1926), which needs no
-   * sorting.
+  /** \brief Takes for each point its shortest edge to a crest point: the first step of
+   * Boruvka (1926), which needs no sorting. A grown point is a leaf then, which changes
+   * nothing for the edges between crest points that are still to come.
    */
   void
-  takeShortestOfEach (Membership from, EdgeType type)
+  takeShortestOfEach ()
   {
+    constexpr double FAR = std::numeric_limits<double>::infinity();
+    std::vector<index_t> nearest (graph.size(), OrientedPoints::INVALID);
+    std::vector<double> squared_length (graph.size(), FAR);
+    for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
+      if (membership[p] != Membership::CREST)
+        continue;
+      for (const index_t q : graph.star (p)) {
+        if (membership[q] == Membership::OUTSIDE)
+          continue;
+        // Of equally near points the lowest comes first.
+        const double squared = points.edge (p, q).squaredNorm();
+        if (squared < squared_length[q]) {
+          squared_length[q] = squared;
+          nearest[q] = p;
+        }
+      }
+    }
+    for (index_t q = 0; q < static_cast<index_t> (graph.size()); ++q)
+      if (nearest[q] != OrientedPoints::INVALID && trees.unite (nearest[q], q))
+        edges.push_back (makeEdge (
+            points, nearest[q], q, edgeType (membership[q], Membership::CREST)));
+  }
+
+  /** \brief Takes the edges that are missing between the trees, from points of a
+   * membership to others of it and to crest points.
+   */
+  void
+  takeOthers (Membership from)
+  {
+    std::vector<CrestEdge> missing;
+    trees.flatten();
     for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
       if (membership[p] != from)
         continue;
-      CrestEdge shortest{};
+      const index_t tree = trees.find (p);
       for (const index_t q : graph.star (p))
-        if (membership[q] == Membership::CREST) {
-          const CrestEdge edge = makeEdge (points, p, q, type);
-          if (shortest.a == shortest.b || isShorter (edge, shortest))
-            shortest = edge;
-        }
-      if (shortest.a != shortest.b && trees.unite (shortest.a, shortest.b))
-        edges.push_back (shortest);
+        if (trees.find (q) != tree &&
+            (membership[q] == Membership::CREST || membership[q] == from) &&
+            (membership[q] != from || p < q))
+          missing.push_back (makeEdge (points, p, q, edgeType (from, membership[q])));
     }
-  }
-
-  /** \brief Takes the edges between points of two memberships that are missing. */
-  void
-  takeOthers (Membership from, Membership to, EdgeType type)
-  {
-    std::vector<CrestEdge> missing;
-    for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p)
-      if (membership[p] == from)
-        for (const index_t q : graph.star (p))
-          if (membership[q] == to && (from != to || p < q) &&
-              trees.find (p) != trees.find (q))
-            missing.push_back (makeEdge (points, p, q, type));
-    takeShortest (missing.begin(), missing.end(), trees, edges);
+    const auto crest_end =
+        std::partition (missing.begin(), missing.end(), [] (const CrestEdge& e) {
+          return e.type != EdgeType::C;
+        });
+    takeShortest (missing.begin(), crest_end, trees, edges);
+    takeShortest (crest_end, missing.end(), trees, edges);
   }
 };
 
@@ -221,11 +242,9 @@ minimumSpanningForest (const OrientedPoints& points,
                        const std::vector<Membership>& membership)
 {
   GrowingForest forest{points, graph, membership, DisjointSets (points.size()), {}};
-  forest.takeShortestOfEach (Membership::CREST, EdgeType::A);
-  forest.takeOthers (Membership::CREST, Membership::CREST, EdgeType::A);
-  forest.takeShortestOfEach (Membership::GROWN, EdgeType::B);
-  forest.takeOthers (Membership::GROWN, Membership::CREST, EdgeType::B);
-  forest.takeOthers (Membership::GROWN, Membership::GROWN, EdgeType::C);
+  forest.takeShortestOfEach();
+  forest.takeOthers (Membership::CREST);
+  forest.takeOthers (Membership::GROWN);
   return std::move (forest.edges);
 }
 

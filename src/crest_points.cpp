@@ -3,6 +3,7 @@
 
 #include "parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -50,29 +51,26 @@ neighborsAcross (const OrientedPoints& points,
   return across;
 }
 
-CrestType
-classify (const OrientedPoints& points,
-          index_t point,
-          const Star& star,
-          const std::vector<PrincipalCurvature>& curvature,
-          const PerType<double>& maximality)
+double
+maximalityAt (const OrientedPoints& points,
+              index_t point,
+              const Star& star,
+              const std::vector<PrincipalCurvature>& curvature)
 {
   const PrincipalCurvature& own = curvature[point];
   if (!own.valid || own.k1 == 0.0F || own.k1 == -own.k2)
-    return CrestType::NONE;
+    return 0.0;
   const Across across = neighborsAcross (points, point, star, own.t1);
   if (across.ahead == OrientedPoints::INVALID ||
       across.behind == OrientedPoints::INVALID)
-    return CrestType::NONE;
-
-  const CrestType type = own.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
+    return 0.0;
+  const PrincipalCurvature& ahead = curvature[across.ahead];
+  const PrincipalCurvature& behind = curvature[across.behind];
+  if (!ahead.valid || !behind.valid)
+    return 0.0;
   const auto squared = [] (float k) { return static_cast<double> (k) * k; };
-  const auto exceeds = [&] (const PrincipalCurvature& other) {
-    return other.valid && squared (own.k1) - squared (other.k1) > maximality[type];
-  };
-  return exceeds (curvature[across.ahead]) && exceeds (curvature[across.behind])
-             ? type
-             : CrestType::NONE;
+  return std::max (
+      0.0, squared (own.k1) - std::max (squared (ahead.k1), squared (behind.k1)));
 }
 
 CrestType
@@ -128,22 +126,35 @@ absoluteMaximality (const OrientedPoints& points, const Parameters& parameters)
           parameters.maximality.valley / (unit * unit)};
 }
 
-std::vector<CrestType>
-classifyCrestPoints (const OrientedPoints& points,
-                     const SurfaceGraph& graph,
-                     const std::vector<PrincipalCurvature>& curvature,
-                     const PerType<double>& maximality,
-                     const Workers& workers)
+std::vector<double>
+measureMaximality (const OrientedPoints& points,
+                   const SurfaceGraph& graph,
+                   const std::vector<PrincipalCurvature>& curvature,
+                   const Workers& workers)
 {
-  std::vector<CrestType> types (points.size(), CrestType::NONE);
+  std::vector<double> maximality (points.size());
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const auto point = static_cast<index_t> (i);
-          types[i] =
-              classify (points, point, graph.star (point), curvature, maximality);
+          maximality[i] = maximalityAt (points, point, graph.star (point), curvature);
         }
       });
+  return maximality;
+}
+
+std::vector<CrestType>
+classifyCrestPoints (const std::vector<PrincipalCurvature>& curvature,
+                     const std::vector<double>& maximality,
+                     const PerType<double>& threshold)
+{
+  std::vector<CrestType> types (curvature.size(), CrestType::NONE);
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const CrestType type =
+        curvature[i].k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
+    if (maximality[i] > threshold[type])
+      types[i] = type;
+  }
   return types;
 }
 

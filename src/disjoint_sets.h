@@ -39,6 +39,15 @@ public:
     return a != b;
   }
 
+  /** \brief Makes find the work of one step, until sets are united again. */
+  void
+  flatten ()
+  {
+    // Parents are lower, so that they are done before.
+    for (index_t& parent : parent_)
+      parent = parent_[parent];
+  }
+
 private:
   std::vector<index_t> parent_;
 };

@@ -31,7 +31,14 @@ struct Scene {
   CrestType
   classify (double m) const
   {
-    return classifyCrestPoints (points, graph, curvature, {m, m}, 1)[0];
+    return classify (PerType<double>{m, m});
+  }
+
+  CrestType
+  classify (const PerType<double>& m) const
+  {
+    return classifyCrestPoints (
+        curvature, measureMaximality (points, graph, curvature, 1), m)[0];
   }
 
   OrientedPoints points;
@@ -77,12 +84,9 @@ TEST (CrestPoints, TheDifferenceOfSquaresHasToExceedM)
 
 TEST (CrestPoints, RidgesAndValleysHaveEachTheirM)
 {
-  const auto types = [] (const Scene& scene) {
-    return classifyCrestPoints (
-        scene.points, scene.graph, scene.curvature, {1.0, 100.0}, 1)[0];
-  };
-  EXPECT_EQ (types (eightAround (2, 1, 1, 0)), CrestType::RIDGE);
-  EXPECT_EQ (types (eightAround (-2, 1, 1, 0)), CrestType::NONE);
+  const PerType<double> m{1.0, 100.0};
+  EXPECT_EQ (eightAround (2, 1, 1, 0).classify (m), CrestType::RIDGE);
+  EXPECT_EQ (eightAround (-2, 1, 1, 0).classify (m), CrestType::NONE);
 }
 
 TEST (CrestPoints, TheNeighbourClosestInAngleIsTheOneAcross)

@@ -9,12 +9,14 @@
 namespace pcl {
 namespace crest {
 
-/** \brief What the first two stages find out about the surface. It depends on none of
+/** \brief What the first stages find out about the surface. It depends on none of
  * the thresholds for crest points and lines, so these can change without it.
  */
 struct SurfaceShape {
   SurfaceGraph graph;
   std::vector<PrincipalCurvature> curvature;
+  /** with the preset PAPER how far k1 is a maximum, else empty */
+  std::vector<double> maximality;
   /** with the preset AUTO what the curvature was taken from, else empty */
   std::vector<CrestProfile> profiles;
   /** with the preset AUTO the sharp edges */
@@ -28,14 +30,17 @@ struct Crests {
   std::vector<CrestType> points;
   /** the lines that are kept: ridges first, of each type the largest first */
   std::vector<CrestLine> lines;
-  /** for each packed point where the lines through it run */
+  /** for each packed point where the lines through it run; empty if through the points
+   * themselves
+   */
   std::vector<Eigen::Vector3f> positions;
   /** the distribution before small lines were removed (4.7), for the types wanted */
   PerType<LineSizes> sizes;
   std::vector<StageTime> times;
 };
 
-/** \brief Sections 4.1 and 4.2, with the search that the parameters name.
+/** \brief Sections 4.1 and 4.2, and of 4.3 what M is held against, with the search that
+ * the parameters name.
  * \param[in] progress to tell how far it is, if not null; so in the others
  */
 SurfaceShape

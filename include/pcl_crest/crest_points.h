@@ -17,9 +17,9 @@ namespace crest {
 PerType<double>
 absoluteMaximality (const OrientedPoints& points, const Parameters& parameters);
 
-/** \brief Finds the points whose k1 is a maximum in its direction: with i and j the
- * neighbours whose directions are closest to t1 and to -t1, those where k1^2 exceeds
- * that of i and that of j by more than M. The sign of k1 tells ridge from valley.
+/** \brief Finds how far k1 of each point is a maximum in its direction: with i and j
+ * the neighbours whose directions are closest to t1 and to -t1, by how much k1^2
+ * exceeds the larger of those of i and j. Nowhere a maximum, it is 0.
  *
  * Choices where the paper leaves them open:
  * - Closest is by angle in the tangent plane, of equals the lower index, and less than
@@ -28,15 +28,23 @@ absoluteMaximality (const OrientedPoints& points, const Parameters& parameters);
  *   the point is no crest point.
  *
  * \param[in] points, graph, curvature the results of the stages before
- * \param[in] maximality M for ridges and for valleys, in 1 / (the cloud's unit)^2
  * \param[in] workers a number of threads, 0 for all processors
+ * \return in 1 / (the cloud's unit)^2
+ */
+std::vector<double>
+measureMaximality (const OrientedPoints& points,
+                   const SurfaceGraph& graph,
+                   const std::vector<PrincipalCurvature>& curvature,
+                   const Workers& workers);
+
+/** \brief Finds the points that are a maximum by more than M. The sign of k1 tells
+ * ridge from valley. \param[in] curvature of the points \param[in] maximality of the
+ * points \param[in] threshold M for ridges and for valleys, in 1 / (the cloud's unit)^2
  */
 std::vector<CrestType>
-classifyCrestPoints (const OrientedPoints& points,
-                     const SurfaceGraph& graph,
-                     const std::vector<PrincipalCurvature>& curvature,
-                     const PerType<double>& maximality,
-                     const Workers& workers);
+classifyCrestPoints (const std::vector<PrincipalCurvature>& curvature,
+                     const std::vector<double>& maximality,
+                     const PerType<double>& threshold);
 
 /** \brief Finds the points whose profile tells that they are on a crest, for the auto
  * preset: |k1| falls off to both sides by more than `confidence` standard errors, has

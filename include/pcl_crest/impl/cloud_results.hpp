@@ -43,24 +43,10 @@ linesOfCloud (const OrientedPoints& points, std::vector<CrestLine> lines)
   return lines;
 }
 
-/** \brief Moves the points on lines to where these run.
+/** \brief A copy of the cloud with the points on lines where these run.
  * \param[in] lines with indices into the cloud
  * \param[in] positions of the packed points
  */
-template <typename PointT>
-void
-movePointsToLines (const OrientedPoints& points,
-                   const std::vector<CrestLine>& lines,
-                   const std::vector<Eigen::Vector3f>& positions,
-                   pcl::PointCloud<PointT>& cloud)
-{
-  for (const CrestLine& line : lines)
-    for (const std::vector<index_t>& polyline : line.polylines)
-      for (const index_t point : polyline)
-        cloud[point].getVector3fMap() = positions[points.packed_index[point]];
-}
-
-/** \brief A copy of the cloud with the points on lines where these run: see above. */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
 cloudOfLines (const pcl::PointCloud<PointT>& cloud,
@@ -69,7 +55,10 @@ cloudOfLines (const pcl::PointCloud<PointT>& cloud,
               const std::vector<Eigen::Vector3f>& positions)
 {
   auto moved = pcl::make_shared<pcl::PointCloud<PointT>> (cloud);
-  movePointsToLines (points, lines, positions, *moved);
+  for (const CrestLine& line : lines)
+    for (const std::vector<index_t>& polyline : line.polylines)
+      for (const index_t point : polyline)
+        (*moved)[point].getVector3fMap() = positions[points.packed_index[point]];
   return moved;
 }
 

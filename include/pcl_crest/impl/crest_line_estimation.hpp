@@ -179,7 +179,8 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   pcl::Indices packed_indices;
   if (!locateInput (*points, packed_indices))
     return false;
-  watch.stageDone ("packing");
+  if (!analysis_)
+    watch.stageDone ("packing");
   std::shared_ptr<crest::SurfaceShape> analyzed;
   if (!shape) {
     analyzed = std::make_shared<crest::SurfaceShape>();
@@ -227,8 +228,10 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   }
   writeOutput (packed_indices, labels, shape->curvature, output);
   result_.lines = crest::linesOfCloud (*points, std::move (crests.lines));
-  result_.line_cloud =
-      crest::cloudOfLines (*surface_, *points, result_.lines, crests.positions);
+  result_.line_cloud = surface_;
+  if (!crests.positions.empty())
+    result_.line_cloud =
+        crest::cloudOfLines (*surface_, *points, result_.lines, crests.positions);
   return true;
 }
 
