@@ -15,7 +15,10 @@
 #include "support/temporary_directory.h"
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <thread>
 
 using namespace oracle;
 using namespace pcl::crest;
@@ -39,7 +42,9 @@ protected:
     options.prefix = directory_.file ("waves");
     options.size = {SIZE, SIZE};
     window_ = std::make_unique<ViewerWindow> (options);
-    window_->show (std::make_unique<CrestSession> (std::move (cloud), parameters));
+    const SurfaceSplats splats = makeSurfaceSplats (*cloud.points);
+    window_->show (std::make_unique<CrestSession> (std::move (cloud), parameters),
+                   splats);
   }
 
   void
@@ -86,6 +91,7 @@ protected:
   Picture
   picture ()
   {
+    std::filesystem::remove (directory_.file ("waves.png"));
     press ('p');
     return Picture (contentOf (directory_.file ("waves.png")));
   }
@@ -94,6 +100,7 @@ protected:
   void
   expectExportOfLineTool ()
   {
+    std::filesystem::remove (directory_.file ("waves_command.txt"));
     press ('e');
     const std::string prefix = directory_.file ("waves");
     const auto contents = [&] {
@@ -177,9 +184,11 @@ TEST_F (Window, KeysShowAndHide)
   EXPECT_LT (count (picture(), isBlue), 20);
   expectExportOfLineTool();
   press ('v');
-  EXPECT_NE (window_->getMessage().find ("at least one"), std::string::npos);
+  EXPECT_LT (count (picture(), isRed), 20);
+  EXPECT_LT (count (picture(), isBlue), 20);
+  press ('e');
+  EXPECT_NE (window_->getMessage().find ("no lines to export"), std::string::npos);
   press ('i');
-  press ('v');
   EXPECT_LT (count (picture(), isRed), 20);
   EXPECT_GT (count (picture(), isBlue), 300);
   press ('n');
@@ -325,14 +334,14 @@ TEST_F (WindowDeathTest, ReportsWhatCannotBeLoaded)
     options.size = {SIZE, SIZE};
     ViewerWindow window (options);
     std::string error;
-    const bool done = window.run (
-        [] (const ViewerWindow::Tell& tell, std::string& why) {
-          tell ("reading");
+    window.run (
+        [] (const ProgressCallback& progress, std::string& why) {
+          progress ("reading", 0.0);
           why = "no such cloud";
           return std::unique_ptr<CrestSession>();
         },
         error);
-    std::_Exit (done && error == "no such cloud" ? 0 : 1);
+    std::_Exit (error == "no such cloud" ? 0 : 1);
   };
   EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
 }
@@ -348,19 +357,20 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
     quit->SetClientData (&window);
     quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
       auto* const waiting = static_cast<ViewerWindow*> (data);
-      if (waiting->getMessage() == "endless work ...")
+      if (waiting->getMessage() == "endless work ... 50 %")
         waiting->getInteractor()->ExitCallback();
     });
     window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);
     std::string error;
-    const bool done = window.run (
-        [] (const ViewerWindow::Tell& tell, std::string&) {
-          tell ("endless work");
-          std::promise<std::unique_ptr<CrestSession>> never;
-          return never.get_future().get();
+    window.run (
+        [] (const ProgressCallback& progress, std::string& why) {
+          while (progress ("endless work", 0.5))
+            std::this_thread::sleep_for (std::chrono::milliseconds (1));
+          why = "cancelled";
+          return std::unique_ptr<CrestSession>();
         },
         error);
-    std::_Exit (done ? 1 : 0);
+    std::_Exit (error.empty() ? 0 : 1);
   };
   EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");
 }

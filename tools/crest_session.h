@@ -4,34 +4,31 @@
 
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/read_cloud.h>
-
-#include <functional>
+#include <pcl_crest/surface_analysis.h>
 
 namespace pcl {
 namespace crest {
 
-/** \brief What was found out about a cloud, and its crest lines at the thresholds of
- * the moment. It gives what CrestLineEstimation gives with the same parameters, but
- * repeats no more of the stages than a change asks for.
+/** \brief A cloud, its crest lines at the thresholds of the moment, and the analysis
+ * that serves the next ones.
  */
 class CrestSession {
 public:
-  using Statistics = pcl::CrestLineEstimation<pcl::PointNormal>::Statistics;
+  using Estimation = pcl::CrestLineEstimation<pcl::PointNormal>;
 
   /** \brief Runs all stages.
    * \param[in] parameters valid ones
-   * \param[in] tell called with what comes next, before each long part of the work
+   * \param[in] progress told how far they are; once it says not to go on, nothing of
+   * the session can be used
    */
-  CrestSession (
-      InputCloud cloud,
-      const Parameters& parameters,
-      const std::function<void (const std::string&)>& tell = [] (const std::string&) {
-      });
+  CrestSession (InputCloud cloud,
+                const Parameters& parameters,
+                const ProgressCallback& progress = nullptr);
 
   /** \brief Changes thresholds. min_size, min_strength, wanted, positions and
    * boundaries only choose among what is there; maximality, prune, angle, min_length
-   * and confidence repeat section 4.3 and what follows. All that the surface's shape
-   * depends on stays as it is.
+   * and confidence repeat section 4.3 and what follows.
+   * \param[in] thresholds those of getParameters with other values of these
    */
   void
   setThresholds (const Parameters& thresholds);
@@ -44,62 +41,54 @@ public:
   const SurfaceShape&
   getShape () const
   {
-    return shape_;
+    return *estimation_.getAnalysis()->shape;
   }
   const OrientedPoints&
   getPoints () const
   {
-    return points_;
+    return *estimation_.getAnalysis()->points;
   }
   const Parameters&
   getParameters () const
   {
     return parameters_;
   }
-  /** \brief As CrestLineEstimation::getLines. */
+  /** \brief One for each point of the cloud. */
+  const pcl::PointCloud<pcl::Label>&
+  getLabels () const
+  {
+    return labels_;
+  }
   const std::vector<CrestLine>&
   getLines () const
   {
-    return lines_;
+    return estimation_.getLines();
   }
-  /** \brief As CrestLineEstimation::getLineCloud. */
   const pcl::PointCloud<pcl::PointNormal>&
   getLineCloud () const
   {
-    return line_cloud_;
+    return *estimation_.getLineCloud();
   }
-
-  /** \brief One for each point of the cloud. */
-  pcl::PointCloud<pcl::Label>
-  labels () const;
-
-  /** \brief As CrestLineEstimation::getPrincipalCurvatures. */
-  pcl::PointCloud<pcl::PrincipalCurvatures>
-  curvatures () const;
-
-  /** \brief Those of the last change; its times are those of the stages it repeated. */
-  const Statistics&
+  const pcl::PointCloud<pcl::PrincipalCurvatures>&
+  getCurvatures () const
+  {
+    return estimation_.getPrincipalCurvatures();
+  }
+  /** \brief Its times are those of the stages that the last change repeated. */
+  const Estimation::Statistics&
   getStatistics () const
   {
-    return statistics_;
+    return estimation_.getStatistics();
   }
 
 private:
   void
-  trace ();
-  void
-  keep ();
+  compute ();
 
   InputCloud cloud_;
   Parameters parameters_;
-  OrientedPoints points_;
-  SurfaceShape shape_;
-  /** of both types, whichever are wanted */
-  Crests traced_;
-  Crests crests_;
-  std::vector<CrestLine> lines_;
-  pcl::PointCloud<pcl::PointNormal> line_cloud_;
-  Statistics statistics_;
+  Estimation estimation_;
+  pcl::PointCloud<pcl::Label> labels_;
 };
 
 } // namespace crest

@@ -11,7 +11,6 @@
 #include "viewer_window.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -57,11 +56,11 @@ takeView (const std::string& value, std::optional<View>& view)
 std::unique_ptr<CrestSession>
 load (const WindowOptions& window,
       const Parameters& parameters,
-      const ViewerWindow::Tell& tell,
+      const ProgressCallback& progress,
       std::string& error)
 {
   const std::string& input = window.input;
-  tell ("reading " + input);
+  progress ("reading " + input, 0.0);
   InputCloud cloud;
   if (!readCloud (input, parameters.k, parameters.threads, cloud, error))
     return nullptr;
@@ -71,7 +70,12 @@ load (const WindowOptions& window,
     error = input + ": it has no colors, which -color rgb is to show";
     return nullptr;
   }
-  auto session = std::make_unique<CrestSession> (std::move (cloud), parameters, tell);
+  auto session =
+      std::make_unique<CrestSession> (std::move (cloud), parameters, progress);
+  if (session->getLabels().empty()) {
+    error = input + ": the crest lines could not be computed";
+    return nullptr;
+  }
   const std::vector<PrincipalCurvature>& curvature = session->getShape().curvature;
   if (std::any_of (curvature.begin(),
                    curvature.end(),
@@ -86,14 +90,14 @@ int
 savePicture (const Request& request, const Parameters& parameters)
 {
   std::string error;
-  const auto quiet = [] (const std::string&) {};
+  const auto quiet = [] (const std::string&, double) { return true; };
   const std::unique_ptr<CrestSession> session =
       load (request.window, parameters, quiet, error);
   if (!session)
     return fail (PROGRAM, EXIT_FILE, error);
   const auto& [input, prefix, size, camera, options] = request.window;
   SessionView view (options);
-  view.show (*session);
+  view.show (*session, makeSurfaceSplats (*session->getCloud().points));
   vtkRenderer& renderer = *view.getScene().getRenderer();
   if (options.sliders)
     drawSliders (
@@ -114,20 +118,11 @@ savePicture (const Request& request, const Parameters& parameters)
 int
 showWindow (const Request& request, const Parameters& parameters)
 {
-  const auto load_input = [&] (const ViewerWindow::Tell& tell, std::string& error) {
-    return load (request.window, parameters, tell, error);
+  const auto load_input = [&] (const ProgressCallback& progress, std::string& error) {
+    return load (request.window, parameters, progress, error);
   };
   std::string error;
-  bool done = false;
-  {
-    ViewerWindow window (request.window);
-    done = window.run (load_input, error);
-    // The stages cannot be interrupted, and write nothing that would be left in part.
-    if (!done) {
-      std::cout.flush();
-      std::_Exit (EXIT_DONE);
-    }
-  }
+  ViewerWindow (request.window).run (load_input, error);
   return error.empty() ? EXIT_DONE : fail (PROGRAM, EXIT_FILE, error);
 }
 

@@ -18,7 +18,7 @@ exportSession (const CrestSession& session,
                std::string& error)
 {
   const InputCloud& cloud = session.getCloud();
-  const pcl::PointCloud<pcl::Label> labels = session.labels();
+  const pcl::PointCloud<pcl::Label>& labels = session.getLabels();
   const std::string labels_file = prefix + "_labels.pcd";
   const std::string lines_file = prefix + "_lines.ply";
   const std::string statistics_file = prefix + "_statistics.json";
@@ -27,7 +27,7 @@ exportSession (const CrestSession& session,
                               " -stats " + quoted (statistics_file) +
                               optionsOf (session.getParameters()) + "\n";
   return writeLabels (
-             labels_file, *cloud.points, labels, session.curvatures(), error) &&
+             labels_file, *cloud.points, labels, session.getCurvatures(), error) &&
          writeLines (lines_file, session.getLineCloud(), session.getLines(), error) &&
          writeStatistics (statistics_file,
                           cloud,

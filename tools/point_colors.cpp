@@ -73,7 +73,7 @@ colorPoints (const CrestSession& session, ColorMode mode)
   }
   if (mode == ColorMode::LABEL) {
     result.title = "labels";
-    for (const pcl::Label& label : session.labels())
+    for (const pcl::Label& label : session.getLabels())
       result.colors.push_back (colorOfLabel (label.label));
     return result;
   }
@@ -87,7 +87,7 @@ colorPoints (const CrestSession& session, ColorMode mode)
     return result;
   }
   std::vector<float> values;
-  for (const pcl::PrincipalCurvatures& curvature : session.curvatures())
+  for (const pcl::PrincipalCurvatures& curvature : session.getCurvatures())
     values.push_back (mode == ColorMode::K1 ? curvature.pc1 : curvature.pc2);
   result.title = mode == ColorMode::K1 ? "k1" : "k2";
   result.largest = usualLargest (values);

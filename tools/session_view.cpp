@@ -48,10 +48,10 @@ SessionView::SessionView (const ViewOptions& options)
 }
 
 void
-SessionView::show (const CrestSession& session)
+SessionView::show (const CrestSession& session, const SurfaceSplats& splats)
 {
   session_ = &session;
-  scene_.setCloud (session.getCloud().points);
+  scene_.setCloud (session.getCloud().points, splats);
   setDirectionsVisible (directions_);
   recolor();
   update();

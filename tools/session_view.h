@@ -18,9 +18,11 @@ class SessionView {
 public:
   explicit SessionView (const ViewOptions& options);
 
-  /** \brief Shows a session, which has to live as long as it is shown. */
+  /** \brief Shows a session, which has to live as long as it is shown.
+   * \param[in] splats of its cloud
+   */
   void
-  show (const CrestSession& session);
+  show (const CrestSession& session, const SurfaceSplats& splats);
 
   /** \brief Shows what a change of thresholds changed. */
   void

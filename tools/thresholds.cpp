@@ -24,11 +24,11 @@ rounded (double number)
 }
 
 Threshold
-maximality (const std::string& title, CrestType type)
+maximality (const std::string& title, CrestType type, double unit)
 {
   return {title,
-          1e-4,
-          1e3,
+          1e-4 * unit,
+          1e3 * unit,
           true,
           false,
           [type] (const Parameters& p) { return p.maximality[type]; },
@@ -59,10 +59,16 @@ thresholdsOf (const CrestSession& session)
   double strongest = 0.0;
   for (const CrestLine& line : session.getLines())
     strongest = std::max (strongest, line.strength);
+  // M = 1 in the unit that it is given in.
+  Parameters one;
+  one.maximality = {1.0, 1.0};
+  const double unit = session.getParameters().absolute_maximality
+                          ? absoluteMaximality (session.getPoints(), one).ridge
+                          : 1.0;
   std::vector<Threshold> thresholds;
   if (preset == Preset::PAPER)
-    thresholds = {maximality ("M of ridges", CrestType::RIDGE),
-                  maximality ("M of valleys", CrestType::VALLEY)};
+    thresholds = {maximality ("M of ridges", CrestType::RIDGE, unit),
+                  maximality ("M of valleys", CrestType::VALLEY, unit)};
   else
     thresholds = {
         plain ("angle [degrees]", 90.0, false, &Parameters::angle),

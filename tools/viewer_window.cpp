@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -25,6 +27,18 @@ constexpr float FIRST = 2.0F;
 /** A threshold that repeats stages follows the mouse if they take no longer. */
 constexpr double FAST_MILLISECONDS = 60.0;
 constexpr int POLL_MILLISECONDS = 50;
+
+/** \brief The name of a file that is not there yet, with a number if need be: what was
+ * saved before is not overwritten.
+ */
+std::string
+unusedName (const std::string& prefix, const std::string& suffix)
+{
+  std::string name = prefix + suffix;
+  for (int i = 2; std::filesystem::exists (name); ++i)
+    name = prefix + "_" + std::to_string (i) + suffix;
+  return name;
+}
 
 /** \brief Takes events before the interactor's style does, which gets the others. */
 class TakingCommand : public vtkCommand {
@@ -114,11 +128,12 @@ ViewerWindow::getInteractor()
 }
 
 void
-ViewerWindow::show (std::unique_ptr<CrestSession> session)
+ViewerWindow::show (std::unique_ptr<CrestSession> session, const SurfaceSplats& splats)
 {
   session_ = std::move (session);
+  shown_ = session_->getParameters().wanted;
   const auto& cloud = session_->getCloud().points;
-  view_.show (*session_);
+  view_.show (*session_, splats);
   setCamera (options_.camera ? *options_.camera : fitView (*cloud, options_.size),
              *view_.getScene().getRenderer()->GetActiveCamera());
   sliders_ = std::make_unique<Sliders> (
@@ -132,23 +147,32 @@ ViewerWindow::show (std::unique_ptr<CrestSession> session)
   say ("h lists the keys");
 }
 
-bool
+void
 ViewerWindow::run (const Load& load, std::string& error)
 {
-  const auto tell = [this] (const std::string& stage) {
+  const auto progress = [this] (const std::string& stage, double done) {
     const std::lock_guard<std::mutex> lock (stage_mutex_);
-    stage_ = stage;
+    stage_ = stage + " ... " + std::to_string (std::lround (100.0 * done)) + " %";
+    return !closed_;
   };
-  loading_ = std::async (std::launch::async,
-                         [this, load, tell] { return load (tell, load_error_); });
+  loading_ = std::async (std::launch::async, [this, load, progress] {
+    Loaded loaded;
+    loaded.session = load (progress, load_error_);
+    if (loaded.session && progress ("surface to draw", 1.0))
+      loaded.splats = makeSurfaceSplats (*loaded.session->getCloud().points);
+    return loaded;
+  });
   view_.getScene().getRenderer()->ResetCamera();
   window_->Render();
   timer_ = getInteractor()->CreateRepeatingTimer (POLL_MILLISECONDS);
   viewer_->spin();
-  if (loading_.valid())
-    return false;
+  if (loading_.valid()) {
+    closed_ = true;
+    window_->Finalize();
+    loading_.get();
+    return;
+  }
   error = load_error_;
-  return true;
 }
 
 void
@@ -162,13 +186,13 @@ ViewerWindow::poll()
       const std::lock_guard<std::mutex> lock (stage_mutex_);
       stage = stage_;
     }
-    if (message_ != stage + " ...")
-      say (stage + " ...");
+    if (message_ != stage)
+      say (stage);
     return;
   }
-  std::unique_ptr<CrestSession> session = loading_.get();
-  if (session)
-    show (std::move (session));
+  Loaded loaded = loading_.get();
+  if (loaded.session)
+    show (std::move (loaded.session), loaded.splats);
   else
     getInteractor()->ExitCallback();
 }
@@ -196,12 +220,11 @@ ViewerWindow::act (char key)
   constexpr double LINE_STEP = 0.5;
   CrestScene& scene = view_.getScene();
   SizeChart& chart = view_.getChart();
-  std::string error;
   switch (key) {
   case 'i':
   case 'v': {
     const CrestType type = key == 'i' ? CrestType::RIDGE : CrestType::VALLEY;
-    return change ([type] (Parameters& p) { p.wanted[type] = !p.wanted[type]; });
+    return setShown (type, !shown_[type]);
   }
   case 'n':
     scene.setSurfaceVisible (!scene.isSurfaceVisible());
@@ -228,18 +251,47 @@ ViewerWindow::act (char key)
     chart.setLogarithmic (!chart.isLogarithmic());
     break;
   case 'p':
-    if (replaceFile (options_.prefix + ".png", renderPicture (*window_), error))
-      return say ("saved " + options_.prefix + ".png");
-    return say (error);
+    return save();
   case 'e':
-    if (exportSession (*session_, options_.input, options_.prefix, error))
-      return say ("exported " + options_.prefix + "_*");
-    return say (error);
+    return exportFiles();
   default:
     if (!view_.setColorMode (static_cast<ColorMode> (key - '1')))
       return say ("the file has no colors");
   }
   window_->Render();
+}
+
+void
+ViewerWindow::setShown (CrestType type, bool shown)
+{
+  shown_[type] = shown;
+  const bool any = shown_.ridge || shown_.valley;
+  view_.getScene().setLinesVisible (any);
+  if (any)
+    change ([this] (Parameters& p) { p.wanted = shown_; });
+  else
+    say ("ridges and valleys are hidden");
+}
+
+void
+ViewerWindow::save()
+{
+  const std::string file = unusedName (options_.prefix, ".png");
+  std::string error;
+  say (replaceFile (file, renderPicture (*window_), error) ? "saved " + file : error);
+}
+
+void
+ViewerWindow::exportFiles()
+{
+  if (!shown_.ridge && !shown_.valley)
+    return say ("there are no lines to export: ridges and valleys are hidden");
+  const std::string command = unusedName (options_.prefix, "_command.txt");
+  const std::string prefix = command.substr (0, command.rfind ('_'));
+  std::string error;
+  say (exportSession (*session_, options_.input, prefix, error)
+           ? "exported " + prefix + "_*"
+           : error);
 }
 
 void

@@ -11,6 +11,7 @@
 #include "session_view.h"
 #include "sliders.h"
 
+#include <atomic>
 #include <future>
 #include <mutex>
 #include <optional>
@@ -33,11 +34,10 @@ struct WindowOptions {
  */
 class ViewerWindow {
 public:
-  /** \brief Long work: makes the session, telling what comes next; none, with what is
+  /** \brief Long work: makes the session, telling how far it is; none, with what is
    * wrong, on failure. Runs in a thread of its own. */
-  using Tell = std::function<void (const std::string&)>;
-  using Load = std::function<std::unique_ptr<CrestSession> (const Tell& tell,
-                                                            std::string& error)>;
+  using Load = std::function<std::unique_ptr<CrestSession> (
+      const ProgressCallback& progress, std::string& error)>;
 
   explicit ViewerWindow (const WindowOptions& options);
   ~ViewerWindow();
@@ -45,16 +45,17 @@ public:
   ViewerWindow&
   operator= (const ViewerWindow&) = delete;
 
-  /** \brief Shows a session. */
+  /** \brief Shows a session.
+   * \param[in] splats of its cloud
+   */
   void
-  show (std::unique_ptr<CrestSession> session);
+  show (std::unique_ptr<CrestSession> session, const SurfaceSplats& splats);
 
   /** \brief Opens the window, responsive while the session is loaded, until the user
-   * closes it.
+   * closes it. Loading that is not done then is told not to go on, and waited for.
    * \param[out] error what went wrong with loading, if it did
-   * \return whether all of the work was done; if not, it still goes on
    */
-  bool
+  void
   run (const Load& load, std::string& error);
 
   vtkRenderWindowInteractor*
@@ -91,6 +92,12 @@ private:
   void
   mouseMoved (const pcl::visualization::MouseEvent& event);
   void
+  setShown (CrestType type, bool shown);
+  void
+  save ();
+  void
+  exportFiles ();
+  void
   describeLineAt (int x, int y);
   void
   say (const std::string& message);
@@ -106,13 +113,19 @@ private:
   vtkNew<vtkTextActor> text_;
   std::string message_;
   std::array<int, 2> pressed_{};
+  PerType<bool> shown_{true, true};
 
+  struct Loaded {
+    std::unique_ptr<CrestSession> session;
+    SurfaceSplats splats;
+  };
   std::mutex stage_mutex_;
   std::string stage_;
   std::string load_error_;
+  std::atomic<bool> closed_{false};
   int timer_ = -1;
   /** the last member, as its end waits for the thread that uses those above */
-  std::future<std::unique_ptr<CrestSession>> loading_;
+  std::future<Loaded> loading_;
 };
 
 } // namespace crest

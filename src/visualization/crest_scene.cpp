@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/visualization/crest_scene.h>
-#include <pcl_crest/visualization/surface_splats.h>
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -14,12 +13,15 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
 
 namespace {
 
+constexpr double NOWHERE = std::numeric_limits<double>::infinity();
 constexpr double LINE_WIDTH = 2.5;
 constexpr double GREY = 0.85;
 constexpr double DOT_GREY = 0.6;
@@ -131,8 +133,14 @@ CrestScene::~CrestScene() { renderer_->RemoveObserver (observer_); }
 void
 CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
 {
+  setCloud (cloud, makeSurfaceSplats (*cloud));
+}
+
+void
+CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
+                      const SurfaceSplats& splats)
+{
   cloud_ = cloud;
-  const SurfaceSplats splats = makeSurfaceSplats (*cloud);
   lift_ = splats.radius;
   drawn_ = splats.points;
   setDataOf (surface_, splats.polygons);
@@ -215,6 +223,12 @@ CrestScene::setAxes (double length)
 }
 
 void
+CrestScene::setLinesVisible (bool visible)
+{
+  lines_->SetVisibility (visible);
+}
+
+void
 CrestScene::setSurfaceVisible (bool visible)
 {
   surface_visible_ = visible;
@@ -232,6 +246,10 @@ int
 CrestScene::pickLine (int x, int y)
 {
   constexpr double REACH = 6.0;
+  // Of the depth in view; a line covers itself.
+  constexpr double SAME_DEPTH = 1e-3;
+  if (lines_->GetVisibility() == 0)
+    return -1;
   liftLines();
   vtkNew<vtkMatrix4x4> to_view;
   vtkMatrix4x4::Multiply4x4 (
@@ -246,12 +264,20 @@ CrestScene::pickLine (int x, int y)
     std::array<double, 4> p{0.0, 0.0, 0.0, 1.0};
     lines->GetPoint (point, p.data());
     to_view->MultiplyPoint (p.data(), p.data());
+    // Behind the eye nothing is in view.
+    if (p[3] <= 0.0)
+      return Eigen::Vector3d (Eigen::Vector3d::Constant (NOWHERE));
     return Eigen::Vector3d (0.5 * size[0] * (1.0 + p[0] / p[3]),
                             0.5 * size[1] * (1.0 + p[1] / p[3]),
                             p[2] / p[3]);
   };
+  const auto isCovered = [&] (const Eigen::Vector3d& p) {
+    const double depth = renderer_->GetZ (static_cast<int> (std::lround (p.x())),
+                                          static_cast<int> (std::lround (p.y())));
+    return 0.5 * (p.z() + 1.0) > depth + SAME_DEPTH;
+  };
 
-  // Of all lines within reach the one that is nearest to the eye.
+  // Of all lines seen within reach the one that is nearest to the eye.
   int picked = -1;
   double least_depth = 1.0;
   vtkNew<vtkIdList> points;
@@ -261,6 +287,8 @@ CrestScene::pickLine (int x, int y)
     for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i) {
       const Eigen::Vector3d start = end;
       end = project (points->GetId (i));
+      if (start.z() == NOWHERE || end.z() == NOWHERE)
+        continue;
       const Eigen::Vector2d way = (end - start).head<2>();
       const double along = way.squaredNorm() > 0.0
                                ? (click - start.head<2>()).dot (way) / way.squaredNorm()
@@ -268,7 +296,7 @@ CrestScene::pickLine (int x, int y)
       const Eigen::Vector3d nearest =
           start + std::clamp (along, 0.0, 1.0) * (end - start);
       if ((nearest.head<2>() - click).norm() > REACH || nearest.z() >= least_depth ||
-          nearest.z() < -1.0)
+          nearest.z() < -1.0 || isCovered (nearest))
         continue;
       least_depth = nearest.z();
       picked = line_of_cell_[cell];

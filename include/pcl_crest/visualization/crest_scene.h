@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_lines.h>
+#include <pcl_crest/visualization/surface_splats.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -44,6 +45,13 @@ public:
   /** \brief Shows another cloud, without lines. */
   void
   setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud);
+
+  /** \brief The same with splats that were made before, which takes time and can be
+   * done in another thread.
+   */
+  void
+  setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
+            const SurfaceSplats& splats);
 
   /** \brief Shows other lines, at the next rendering.
    * \param[in] lines indices into the cloud shown
@@ -103,6 +111,9 @@ public:
   setAxes (double length);
 
   void
+  setLinesVisible (bool visible);
+
+  void
   setSurfaceVisible (bool visible);
   bool
   isSurfaceVisible () const
@@ -110,8 +121,8 @@ public:
     return surface_visible_;
   }
 
-  /** \brief The place among the lines of the one within a few pixels of a place in the
-   * renderer's window, or -1.
+  /** \brief The place among the lines of the one that is seen within a few pixels of a
+   * place in the renderer's window, or -1. The window shows what was rendered last.
    */
   int
   pickLine (int x, int y);
