@@ -53,6 +53,47 @@ TEST (CrestScene, ShowsTheSurfaceGreyAndWithoutHoles)
   EXPECT_GT (256 - std::count (shades, shades + 256, 0), 30) << "it should be shaded";
 }
 
+TEST (CrestScene, PicksOnlyLinesThatAreSeen)
+{
+  const Cloud::Ptr cloud = waves();
+  CrestLine ridge;
+  ridge.type = CrestType::RIDGE;
+  ridge.polylines = {{}};
+  for (index_t column = 10; column < 140; ++column)
+    ridge.polylines[0].push_back (50 * 150 + column);
+  const Eigen::Vector3f left = (*cloud)[50 * 150 + 40].getVector3fMap();
+  const Eigen::Vector3f right = (*cloud)[50 * 150 + 110].getVector3fMap();
+  // A second sheet half a unit above covers the left half.
+  const Cloud lower = *cloud;
+  for (pcl::PointNormal point : lower)
+    if (point.x < 0.0F) {
+      point.z += 0.5F;
+      cloud->push_back (point);
+    }
+  const View view = fitView (*cloud, {SIZE, SIZE});
+  CrestScene scene;
+  scene.setCloud (cloud);
+  scene.setLines ({ridge});
+  setCamera (view, *scene.getRenderer()->GetActiveCamera());
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering (1);
+  window->SetSize (SIZE, SIZE);
+  window->AddRenderer (scene.getRenderer());
+  window->Render();
+  const auto pick = [&] (const Eigen::Vector3f& point) {
+    const Eigen::Vector2i at = project (view, point.cast<double>()).cast<int>();
+    return scene.pickLine (at.x(), at.y());
+  };
+  ASSERT_LT (left.x(), -0.1F);
+  ASSERT_GT (right.x(), 0.1F);
+  EXPECT_EQ (pick (left), -1);
+  EXPECT_EQ (pick (right), 0);
+  scene.setLinesVisible (false);
+  window->Render();
+  EXPECT_EQ (pick (right), -1);
+  window->RemoveRenderer (scene.getRenderer());
+}
+
 TEST (CrestScene, ShowsLinesInTheirColorsUntilOthersAreSet)
 {
   const Cloud::Ptr cloud = waves();

@@ -82,6 +82,9 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
 , viewer_ (std::make_unique<pcl::visualization::PCLVisualizer> (
       view_.getScene().getRenderer(), window_, "pcl_crest_viewer " + options.input))
 {
+  // Samples of every pixel would double the time of large surfaces.
+  window_->SetMultiSamples (0);
+  view_.getScene().getRenderer()->UseFXAAOn();
   viewer_->setShowFPS (false);
   viewer_->setSize (options_.size.x(), options_.size.y());
   if (options_.camera)

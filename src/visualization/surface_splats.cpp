@@ -16,10 +16,11 @@ namespace crest {
 namespace {
 
 /** In a square grid the eighth neighbour is a diagonal away, and a corner of a cell is
- * half a diagonal from its points; the rest is margin for uneven sampling. */
+ * half a diagonal from its points; the rest is margin for uneven sampling and for the
+ * sides of a polygon, which are nearer than its corners. */
 constexpr int NEIGHBORS = 8;
-constexpr float REACH = 0.8f;
-constexpr int CORNERS = 8;
+constexpr float REACH = 0.87f;
+constexpr int CORNERS = 6;
 /** A splat this many times as large as the median would be a stray point's. */
 constexpr float LARGEST = 3.0f;
 
