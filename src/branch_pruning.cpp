@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <queue>
 #include <tuple>
 
@@ -19,8 +18,8 @@ namespace {
  */
 struct Branch {
   /** of what decides, points or a part of the limit */
-  double size;
-  double length;
+  float size;
+  float length;
   index_t end;
 
   bool
@@ -44,16 +43,16 @@ public:
     }
   }
 
-  std::vector<index_t>
-  ends () const
+  index_t
+  size () const
   {
-    std::vector<index_t> found;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (nodes_[i].degree == 1)
-        found.push_back (static_cast<index_t> (i));
-    return found;
+    return static_cast<index_t> (nodes_.size());
   }
-
+  bool
+  isEnd (index_t point) const
+  {
+    return nodes_[point].degree == 1;
+  }
   bool
   isJunction (index_t point) const
   {
@@ -82,16 +81,17 @@ public:
     --junction.degree;
   }
 
-  /** \brief Of the edges that the graph was made of those not removed. */
-  std::vector<CrestEdge>
-  remaining (const std::vector<CrestEdge>& edges) const
+  /** \brief Erases those of the edges that the graph was made of that are removed. */
+  void
+  eraseRemoved (std::vector<CrestEdge>& edges) const
   {
-    std::vector<CrestEdge> kept;
-    std::copy_if (
-        edges.begin(), edges.end(), std::back_inserter (kept), [this] (const auto& e) {
-          return nodes_[e.a].degree > 0 && nodes_[e.b].degree > 0;
-        });
-    return kept;
+    edges.erase (std::remove_if (edges.begin(),
+                                 edges.end(),
+                                 [this] (const CrestEdge& e) {
+                                   return nodes_[e.a].degree == 0 ||
+                                          nodes_[e.b].degree == 0;
+                                 }),
+                 edges.end());
   }
 
 private:
@@ -117,7 +117,7 @@ private:
 template <typename Size>
 void
 prune (const OrientedPoints& points,
-       double largest,
+       float largest,
        std::size_t most,
        const Size& size,
        BranchGraph& graph)
@@ -129,13 +129,13 @@ prune (const OrientedPoints& points,
     return graph.isJunction (path.back()) && size (path) <= largest;
   };
   const auto measure = [&] (index_t end) {
-    return Branch{size (path), polylineLength (points, path), end};
+    return Branch{size (path), static_cast<float> (polylineLength (points, path)), end};
   };
 
   std::vector<Branch> branches;
-  for (const index_t end : graph.ends())
-    if (isShortBranch (end))
-      branches.push_back (measure (end));
+  for (index_t p = 0; p < graph.size(); ++p)
+    if (graph.isEnd (p) && isShortBranch (p))
+      branches.push_back (measure (p));
   std::sort (branches.begin(), branches.end(), std::greater<>());
   // The few that became longer wait beside the many that are sorted at once.
   std::priority_queue<Branch, std::vector<Branch>, std::greater<>> longer;
@@ -162,29 +162,31 @@ prune (const OrientedPoints& points,
 
 std::vector<CrestEdge>
 pruneBranches (const OrientedPoints& points,
-               const std::vector<CrestEdge>& forest,
+               std::vector<CrestEdge> forest,
                std::size_t largest)
 {
   BranchGraph trees (points.size(), forest);
   const auto count = [] (const std::vector<index_t>& path) {
-    return static_cast<double> (path.size() - 1);
+    return static_cast<float> (path.size() - 1);
   };
   const std::size_t most = std::max<std::size_t> (1, largest);
-  prune (points, static_cast<double> (most), most, count, trees);
-  return trees.remaining (forest);
+  prune (points, static_cast<float> (most), most, count, trees);
+  trees.eraseRemoved (forest);
+  return forest;
 }
 
 std::vector<CrestEdge>
 pruneShortBranches (const OrientedPoints& points,
-                    const std::vector<CrestEdge>& edges,
+                    std::vector<CrestEdge> edges,
                     const std::vector<float>& limits)
 {
   BranchGraph graph (points.size(), edges);
   const auto part_of_limit = [&] (const std::vector<index_t>& path) {
-    return polylineLength (points, path) / limits[path.back()];
+    return static_cast<float> (polylineLength (points, path)) / limits[path.back()];
   };
-  prune (points, 1.0, points.size(), part_of_limit, graph);
-  return graph.remaining (edges);
+  prune (points, 1.0F, points.size(), part_of_limit, graph);
+  graph.eraseRemoved (edges);
+  return edges;
 }
 
 } // namespace crest

@@ -78,10 +78,10 @@ public:
   {
     if (a == b)
       return;
-    const double squared_length =
-        (nodes_.at (a).foot - nodes_.at (b).foot).cast<double>().squaredNorm();
-    const CrestEdge edge{std::min (a, b), std::max (a, b), EdgeType::A, squared_length};
-    edges_[type].push_back (edge);
+    const double length =
+        (nodes_.at (a).foot - nodes_.at (b).foot).cast<double>().norm();
+    edges_[type].push_back (
+        {std::min (a, b), std::max (a, b), EdgeType::A, static_cast<float> (length)});
   }
 
   /** \brief Adds a node at a corner, with the looks of one of the lines that meet
@@ -161,9 +161,7 @@ private:
     for (const index_t q : found) {
       const Eigen::Vector3d p = points_.positions[q].cast<double>() - a;
       const double s =
-          edge.squared_length > 0.0
-              ? std::max (0.0, std::min (1.0, p.dot (e) / edge.squared_length))
-              : 0.0;
+          edge.length > 0.0F ? std::clamp (p.dot (e) / e.squaredNorm(), 0.0, 1.0) : 0.0;
       if ((p - s * e).norm() < WIDTH * graph.spacing[q])
         blocked[q] = 1;
     }

@@ -48,13 +48,12 @@ linesOfPaper (const OrientedPoints& points,
   const std::vector<Membership> members =
       growRegions (shape.graph, shape.curvature, crest_points, type);
   watch.stageDone ("region growing");
-  const std::vector<CrestEdge> forest =
-      minimumSpanningForest (points, shape.graph, members);
+  std::vector<CrestEdge> forest = minimumSpanningForest (points, shape.graph, members);
   watch.stageDone ("spanning forest");
   const auto largest_branch = static_cast<std::size_t> (parameters.prune);
-  const std::vector<CrestEdge> pruned = pruneBranches (points, forest, largest_branch);
+  forest = pruneBranches (points, std::move (forest), largest_branch);
   watch.stageDone ("pruning");
-  return traceLines (points, shape.graph, members, pruned, type, largest_branch);
+  return traceLines (points, shape.graph, members, forest, type, largest_branch);
 }
 
 /** \brief For each point the radius that it was fitted over, times a factor. */
@@ -124,7 +123,7 @@ significantLinesOf (const OrientedPoints& points,
       branch_limits[i] = std::max (branch_limits[i],
                                    static_cast<float> (parameters.min_length) *
                                        shape.graph.spacing[i]);
-  net = pruneShortBranches (points, net, branch_limits);
+  net = pruneShortBranches (points, std::move (net), branch_limits);
   watch.stageDone ("pruning");
   net = significantBranches (points, evidence, net, branch_limits, parameters.angle);
   return significantLines (
@@ -227,13 +226,15 @@ analyzeSurface (const OrientedPoints& points,
     rest.times.insert (rest.times.begin(), shape.times.begin(), shape.times.end());
     return rest;
   }
-  const std::shared_ptr<const PointTree> tree =
-      batchedTree (points, parameters.threads);
+  std::shared_ptr<const PointTree> tree = batchedTree (points, parameters.threads);
   watch.stageDone ("search tree");
   beginStage (progress, "surface graph", CONNECTED);
-  shape.graph = buildSurfaceGraph (points, *tree, parameters, progress);
+  // Creases are searched for with the same tree.
+  const std::shared_ptr<const PointTree> kept =
+      parameters.preset == Preset::AUTO ? tree : nullptr;
+  shape.graph = buildSurfaceGraph (points, std::move (tree), parameters, progress);
   watch.stageDone ("surface graph");
-  const auto wide_search = [&] { return batchedSearch (tree, CREASE_NEIGHBORS); };
+  const auto wide_search = [&] { return batchedSearch (kept, CREASE_NEIGHBORS); };
   analyzeCurvature (points, wide_search, parameters, shape, watch, progress);
   return shape;
 }

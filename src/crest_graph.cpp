@@ -16,7 +16,7 @@ namespace {
 bool
 isShorter (const CrestEdge& e, const CrestEdge& f)
 {
-  return std::tie (e.squared_length, e.a, e.b) < std::tie (f.squared_length, f.a, f.b);
+  return std::tie (e.length, e.a, e.b) < std::tie (f.length, f.a, f.b);
 }
 
 /** \brief Kruskal's algorithm, which sorts only those of the longer edges that the
@@ -55,10 +55,16 @@ edgeType (Membership a, Membership b)
   return a == Membership::GROWN && b == Membership::GROWN ? EdgeType::C : EdgeType::B;
 }
 
+float
+lengthOf (const OrientedPoints& points, index_t p, index_t q)
+{
+  return static_cast<float> (points.edge (p, q).norm());
+}
+
 CrestEdge
 makeEdge (const OrientedPoints& points, index_t p, index_t q, EdgeType type)
 {
-  return {std::min (p, q), std::max (p, q), type, points.edge (p, q).squaredNorm()};
+  return {std::min (p, q), std::max (p, q), type, lengthOf (points, p, q)};
 }
 
 /** \brief The crest graphs of one type with the trees that are found in them. */
@@ -76,9 +82,9 @@ struct GrowingForest {
   void
   takeShortestOfEach ()
   {
-    constexpr double FAR = std::numeric_limits<double>::infinity();
+    constexpr float FAR = std::numeric_limits<float>::infinity();
     std::vector<index_t> nearest (graph.size(), OrientedPoints::INVALID);
-    std::vector<double> squared_length (graph.size(), FAR);
+    std::vector<float> shortest (graph.size(), FAR);
     for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
       if (membership[p] != Membership::CREST)
         continue;
@@ -86,9 +92,9 @@ struct GrowingForest {
         if (membership[q] == Membership::OUTSIDE)
           continue;
         // Of equally near points the lowest comes first.
-        const double squared = points.edge (p, q).squaredNorm();
-        if (squared < squared_length[q]) {
-          squared_length[q] = squared;
+        const float length = lengthOf (points, p, q);
+        if (length < shortest[q]) {
+          shortest[q] = length;
           nearest[q] = p;
         }
       }
@@ -242,6 +248,11 @@ minimumSpanningForest (const OrientedPoints& points,
                        const std::vector<Membership>& membership)
 {
   GrowingForest forest{points, graph, membership, DisjointSets (points.size()), {}};
+  // A tree has one edge less than points.
+  forest.edges.reserve (static_cast<std::size_t> (
+      std::count_if (membership.begin(), membership.end(), [] (Membership m) {
+        return m != Membership::OUTSIDE;
+      })));
   forest.takeShortestOfEach();
   forest.takeOthers (Membership::CREST);
   forest.takeOthers (Membership::GROWN);

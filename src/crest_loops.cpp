@@ -89,8 +89,8 @@ closeLoops (const OrientedPoints& points,
             std::vector<CrestEdge> forest)
 {
   std::sort (edges.begin(), edges.end(), [] (const CrestEdge& e, const CrestEdge& f) {
-    return std::tie (e.type, e.squared_length, e.a, e.b) <
-           std::tie (f.type, f.squared_length, f.a, f.b);
+    return std::tie (e.type, e.length, e.a, e.b) <
+           std::tie (f.type, f.length, f.a, f.b);
   });
   Forest graph (forest);
   Reach reach (points, graph);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/oriented_points.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include "parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,15 +45,31 @@ struct Sample {
   Eigen::Vector3f position;
   index_t cloud_index;
 
+  /** \brief The order of those with one code. */
   bool
   operator<(const Sample& o) const
   {
-    return std::make_tuple (
-               code, position.x(), position.y(), position.z(), cloud_index) <
+    return std::make_tuple (position.x(), position.y(), position.z(), cloud_index) <
            std::make_tuple (
-               o.code, o.position.x(), o.position.y(), o.position.z(), o.cloud_index);
+               o.position.x(), o.position.y(), o.position.z(), o.cloud_index);
   }
 };
+
+void
+sortAlongCurve (std::vector<Sample>& samples)
+{
+  boost::sort::spreadsort::integer_sort (
+      samples.begin(),
+      samples.end(),
+      [] (const Sample& s, unsigned offset) { return s.code >> offset; },
+      [] (const Sample& a, const Sample& b) { return a.code < b.code; });
+  for (auto begin = samples.begin(); begin != samples.end();) {
+    const auto end = std::find_if (
+        begin, samples.end(), [&] (const Sample& s) { return s.code != begin->code; });
+    std::sort (begin, end);
+    begin = end;
+  }
+}
 
 Eigen::Vector3f
 positionOf (const PointView& cloud, std::size_t i)
@@ -75,7 +95,7 @@ isValid (const PointView& cloud, std::size_t i)
 
 /** \brief The valid points in Morton order, coincident ones next to each other. */
 std::vector<Sample>
-sortedSamples (const PointView& cloud, double& extent)
+sortedSamples (const PointView& cloud, const Workers& workers, double& extent)
 {
   std::vector<Sample> samples;
   samples.reserve (cloud.size);
@@ -95,40 +115,77 @@ sortedSamples (const PointView& cloud, double& extent)
   extent = (high.cast<double>() - low.cast<double>()).maxCoeff();
   constexpr double CELLS = (1 << 21) - 1;
   if (extent > 0.0)
-    for (Sample& sample : samples)
-      sample.code = mortonCode (sample.position, low, CELLS / extent);
-  std::sort (samples.begin(), samples.end());
+    forEachBlock (samples.size(),
+                  workers,
+                  [&] (std::size_t, std::size_t first, std::size_t last) {
+                    for (std::size_t i = first; i < last; ++i)
+                      samples[i].code =
+                          mortonCode (samples[i].position, low, CELLS / extent);
+                  });
+  sortAlongCurve (samples);
   return samples;
+}
+
+/** \brief Where the samples of each place begin, and the end of all. */
+std::vector<std::size_t>
+beginsOfPlaces (const std::vector<Sample>& samples)
+{
+  std::vector<std::size_t> begins;
+  begins.reserve (samples.size() + 1);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (i == 0 || samples[i].position != samples[i - 1].position)
+      begins.push_back (i);
+  begins.push_back (samples.size());
+  return begins;
+}
+
+/** \brief The mean of the normals of coincident samples, of unit length, or zero if
+ * they cancel out.
+ */
+Eigen::Vector3f
+meanNormal (const PointView& cloud, const Sample* first, const Sample* last)
+{
+  constexpr double CANCELLED = 1e-6;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (; first < last; ++first)
+    sum += normalOf (cloud, first->cloud_index);
+  if (sum.norm() < CANCELLED)
+    return Eigen::Vector3f::Zero();
+  return sum.normalized().cast<float>();
 }
 
 } // namespace
 
 OrientedPoints
-packOrientedPoints (const PointView& cloud)
+packOrientedPoints (const PointView& cloud, const Workers& workers)
 {
   OrientedPoints points;
   points.packed_index.assign (cloud.size, OrientedPoints::INVALID);
-  const std::vector<Sample> samples = sortedSamples (cloud, points.extent);
-  points.positions.reserve (samples.size());
-  points.normals.reserve (samples.size());
-  points.cloud_index.reserve (samples.size());
+  const std::vector<Sample> samples = sortedSamples (cloud, workers, points.extent);
+  const std::vector<std::size_t> begins = beginsOfPlaces (samples);
+  const std::size_t places = begins.size() - 1;
+  points.normals.resize (places);
+  forEachBlock (
+      places, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t place = first; place < last; ++place)
+          points.normals[place] = meanNormal (cloud,
+                                              samples.data() + begins[place],
+                                              samples.data() + begins[place + 1]);
+      });
 
-  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (end = begin;
-         end < samples.size() && samples[end].position == samples[begin].position;
-         ++end)
-      sum += normalOf (cloud, samples[end].cloud_index);
-    constexpr double CANCELLED = 1e-6;
-    if (sum.norm() < CANCELLED)
+  points.positions.reserve (places);
+  points.cloud_index.reserve (places);
+  for (std::size_t place = 0; place < places; ++place) {
+    if (points.normals[place].isZero (0.0F))
       continue;
-    for (std::size_t i = begin; i < end; ++i)
+    points.normals[points.size()] = points.normals[place];
+    for (std::size_t i = begins[place]; i < begins[place + 1]; ++i)
       points.packed_index[samples[i].cloud_index] =
           static_cast<index_t> (points.size());
-    points.positions.push_back (samples[begin].position);
-    points.normals.emplace_back (sum.normalized().cast<float>());
-    points.cloud_index.push_back (samples[begin].cloud_index);
+    points.positions.push_back (samples[begins[place]].position);
+    points.cloud_index.push_back (samples[begins[place]].cloud_index);
   }
+  points.normals.resize (points.size());
   return points;
 }
 

@@ -40,8 +40,10 @@ linksFromSharpEnds (const OrientedPoints& points,
       const double length = e.norm();
       if (length < LONGEST * graph.spacing[end] &&
           e.dot (out) > LEAST_COSINE * length * out.norm())
-        links.push_back (
-            {std::min (end, q), std::max (end, q), EdgeType::A, length * length});
+        links.push_back ({std::min (end, q),
+                          std::max (end, q),
+                          EdgeType::A,
+                          static_cast<float> (length)});
     }
   }
   return links;

@@ -196,15 +196,15 @@ buildSurfaceGraph (const OrientedPoints& points,
 
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
-                   const PointTree& tree,
+                   std::shared_ptr<const PointTree> tree,
                    const Parameters& parameters,
                    Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  return symmetrize (
-      filterNeighbors (
-          points, BatchedCandidates{tree, parameters.k}, parameters, workers),
-      workers);
+  SurfaceGraph directed = filterNeighbors (
+      points, BatchedCandidates{*tree, parameters.k}, parameters, workers);
+  tree.reset();
+  return symmetrize (std::move (directed), workers);
 }
 
 SurfaceGraph

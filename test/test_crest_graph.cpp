@@ -28,12 +28,12 @@ pairsOf (const std::vector<CrestEdge>& edges)
 }
 
 /** \brief Weight, length and points: the total order that makes the forest unique. */
-using Rank = std::tuple<int, double, pcl::index_t, pcl::index_t>;
+using Rank = std::tuple<int, float, pcl::index_t, pcl::index_t>;
 
 Rank
 rankOf (const CrestEdge& e)
 {
-  return {static_cast<int> (e.type), e.squared_length, e.a, e.b};
+  return {static_cast<int> (e.type), e.length, e.a, e.b};
 }
 
 /** \brief Kruskal as the textbook has it (Cormen et al. 1993): sort all edges, take
@@ -92,7 +92,7 @@ randomEdges (std::size_t size, std::size_t count, std::mt19937& random)
     const int b = vertex (random);
     if (a < b && taken.emplace (a, b).second)
       edges.push_back (
-          {a, b, types[random() % 3], static_cast<double> (length (random))});
+          {a, b, types[random() % 3], static_cast<float> (length (random))});
   }
   return edges;
 }
@@ -130,7 +130,7 @@ TEST (SpanningForest, TakesAllTypeAFirst)
                                      {1, 2, EdgeType::A, 101.0},
                                      {0, 2, EdgeType::A, 102.0},
                                      {0, 3, EdgeType::B, 50.0},
-                                     {3, 4, EdgeType::C, 1.0},
+                                     {3, 4, EdgeType::C, 1.0F},
                                      {2, 4, EdgeType::B, 2.0}};
   EXPECT_EQ (pairsOf (minimumSpanningForest (5, edges)),
              (Pairs{{0, 1}, {1, 2}, {2, 4}, {0, 3}}));
@@ -179,16 +179,16 @@ TEST (RegionGrowing, EdgesHaveTheTypeOfTheirEnds)
   const SurfaceGraph graph = oracle::graphOf (4, {{0, 1}, {1, 2}, {0, 2}, {2, 3}});
   using M = Membership;
   const auto typesFor = [&] (const std::vector<M>& members) {
-    std::vector<std::tuple<int, int, EdgeType, double>> found;
+    std::vector<std::tuple<int, int, EdgeType, float>> found;
     for (const CrestEdge& e : crestEdges (points, graph, members))
-      found.emplace_back (e.a, e.b, e.type, e.squared_length);
+      found.emplace_back (e.a, e.b, e.type, e.length);
     return found;
   };
-  using Found = std::vector<std::tuple<int, int, EdgeType, double>>;
+  using Found = std::vector<std::tuple<int, int, EdgeType, float>>;
   EXPECT_EQ (typesFor ({M::CREST, M::CREST, M::GROWN, M::OUTSIDE}),
-             (Found{{0, 1, EdgeType::A, 25.0},
-                    {0, 2, EdgeType::B, 34.0},
-                    {1, 2, EdgeType::B, 1.0}}));
+             (Found{{0, 1, EdgeType::A, 5.0F},
+                    {0, 2, EdgeType::B, std::sqrt (34.0F)},
+                    {1, 2, EdgeType::B, 1.0F}}));
   EXPECT_EQ (typesFor ({M::OUTSIDE, M::GROWN, M::GROWN, M::OUTSIDE}),
-             (Found{{1, 2, EdgeType::C, 1.0}}));
+             (Found{{1, 2, EdgeType::C, 1.0F}}));
 }

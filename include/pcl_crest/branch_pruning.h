@@ -24,7 +24,7 @@ namespace crest {
  */
 std::vector<CrestEdge>
 pruneBranches (const OrientedPoints& points,
-               const std::vector<CrestEdge>& forest,
+               std::vector<CrestEdge> forest,
                std::size_t largest);
 
 /** \brief Prunes the branches that are not longer than the limit of their junction, the
@@ -39,7 +39,7 @@ pruneBranches (const OrientedPoints& points,
  */
 std::vector<CrestEdge>
 pruneShortBranches (const OrientedPoints& points,
-                    const std::vector<CrestEdge>& edges,
+                    std::vector<CrestEdge> edges,
                     const std::vector<float>& limits);
 
 } // namespace crest

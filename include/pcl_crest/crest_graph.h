@@ -21,8 +21,8 @@ struct CrestEdge {
   index_t a;
   index_t b;
   EdgeType type;
-  /** squared length, the first tie break among edges of one type */
-  double squared_length;
+  /** the first tie break among edges of one type, in the cloud's unit */
+  float length;
 };
 
 /** \brief Grows the crest points of one type by the points that share an edge with

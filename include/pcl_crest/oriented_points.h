@@ -2,6 +2,7 @@
 // The input of the method (paper, section 4): points that know their normals.
 #pragma once
 
+#include <pcl_crest/progress.h>
 #include <pcl_crest/types.h>
 
 #include <Eigen/Core>
@@ -71,7 +72,7 @@ struct OrientedPoints {
  * normal is not finite, or whose normal is zero.
  */
 OrientedPoints
-packOrientedPoints (const PointView& cloud);
+packOrientedPoints (const PointView& cloud, const Workers& workers = 1);
 
 /** \brief A number that differs, for all that is likely, where a position or a normal
  * of two clouds does.

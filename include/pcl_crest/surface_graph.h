@@ -5,6 +5,8 @@
 #include <pcl_crest/neighbor_search.h>
 #include <pcl_crest/progress.h>
 
+#include <memory>
+
 namespace pcl {
 namespace crest {
 
@@ -81,12 +83,13 @@ buildSurfaceGraph (const OrientedPoints& points,
                    Progress* progress = nullptr);
 
 /** \brief The same graph with the candidates that the batched search finds.
- * \param[in] tree from batchedTree over these points
+ * \param[in] tree from batchedTree over these points; if nobody else has it, its memory
+ * is free for the second half of the work
  * \param[in] parameters k is used, too
  */
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
-                   const PointTree& tree,
+                   std::shared_ptr<const PointTree> tree,
                    const Parameters& parameters,
                    Progress* progress = nullptr);
 

@@ -175,7 +175,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   }
   else
     points = std::make_shared<const crest::OrientedPoints> (
-        crest::packOrientedPoints (viewOf (*surface_)));
+        crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
   pcl::Indices packed_indices;
   if (!locateInput (*points, packed_indices))
     return false;
