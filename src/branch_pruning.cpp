@@ -2,6 +2,7 @@
 #include <pcl_crest/branch_pruning.h>
 
 #include "forest.h"
+#include "large_arrays.h"
 
 #include <algorithm>
 #include <functional>
@@ -35,7 +36,8 @@ struct Branch {
  */
 class BranchGraph {
 public:
-  BranchGraph (std::size_t size, const std::vector<CrestEdge>& edges) : nodes_ (size)
+  BranchGraph (std::size_t size, const std::vector<CrestEdge>& edges)
+  : nodes_ (makeLarge (size, Node()))
   {
     for (const CrestEdge& edge : edges) {
       join (edge.a, edge.b);

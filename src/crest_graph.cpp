@@ -2,6 +2,7 @@
 #include <pcl_crest/crest_graph.h>
 
 #include "disjoint_sets.h"
+#include "large_arrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -249,10 +250,11 @@ minimumSpanningForest (const OrientedPoints& points,
 {
   GrowingForest forest{points, graph, membership, DisjointSets (points.size()), {}};
   // A tree has one edge less than points.
-  forest.edges.reserve (static_cast<std::size_t> (
-      std::count_if (membership.begin(), membership.end(), [] (Membership m) {
-        return m != Membership::OUTSIDE;
-      })));
+  reserveLarge (forest.edges,
+                static_cast<std::size_t> (std::count_if (
+                    membership.begin(), membership.end(), [] (Membership m) {
+                      return m != Membership::OUTSIDE;
+                    })));
   forest.takeShortestOfEach();
   forest.takeOthers (Membership::CREST);
   forest.takeOthers (Membership::GROWN);

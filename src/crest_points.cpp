@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/crest_points.h>
 
+#include "large_arrays.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ measureMaximality (const OrientedPoints& points,
                    const std::vector<PrincipalCurvature>& curvature,
                    const Workers& workers)
 {
-  std::vector<double> maximality (points.size());
+  std::vector<double> maximality = makeLarge (points.size(), 0.0);
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "large_arrays.h"
 #include "parallel.h"
 
 #include <cmath>
@@ -134,7 +135,7 @@ estimateCurvature (const OrientedPoints& points,
                    const SurfaceGraph& graph,
                    const Workers& workers)
 {
-  std::vector<PrincipalCurvature> curvature (points.size(), UNDETERMINED);
+  std::vector<PrincipalCurvature> curvature = makeLarge (points.size(), UNDETERMINED);
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

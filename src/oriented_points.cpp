@@ -3,6 +3,7 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
+#include "large_arrays.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ std::vector<Sample>
 sortedSamples (const PointView& cloud, const Workers& workers, double& extent)
 {
   std::vector<Sample> samples;
-  samples.reserve (cloud.size);
+  reserveLarge (samples, cloud.size);
   Eigen::Vector3f low =
       Eigen::Vector3f::Constant (std::numeric_limits<float>::infinity());
   Eigen::Vector3f high = -low;
@@ -131,7 +132,7 @@ std::vector<std::size_t>
 beginsOfPlaces (const std::vector<Sample>& samples)
 {
   std::vector<std::size_t> begins;
-  begins.reserve (samples.size() + 1);
+  reserveLarge (begins, samples.size() + 1);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (i == 0 || samples[i].position != samples[i - 1].position)
       begins.push_back (i);
@@ -160,11 +161,11 @@ OrientedPoints
 packOrientedPoints (const PointView& cloud, const Workers& workers)
 {
   OrientedPoints points;
-  points.packed_index.assign (cloud.size, OrientedPoints::INVALID);
+  points.packed_index = makeLarge<index_t> (cloud.size, OrientedPoints::INVALID);
   const std::vector<Sample> samples = sortedSamples (cloud, workers, points.extent);
   const std::vector<std::size_t> begins = beginsOfPlaces (samples);
   const std::size_t places = begins.size() - 1;
-  points.normals.resize (places);
+  points.normals = makeLarge<Eigen::Vector3f> (places, Eigen::Vector3f::Zero());
   forEachBlock (
       places, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t place = first; place < last; ++place)
@@ -173,8 +174,8 @@ packOrientedPoints (const PointView& cloud, const Workers& workers)
                                               samples.data() + begins[place + 1]);
       });
 
-  points.positions.reserve (places);
-  points.cloud_index.reserve (places);
+  reserveLarge (points.positions, places);
+  reserveLarge (points.cloud_index, places);
   for (std::size_t place = 0; place < places; ++place) {
     if (points.normals[place].isZero (0.0F))
       continue;

@@ -2,10 +2,13 @@
 #include <pcl_crest/search/point_tree.h>
 #include <pcl_crest/surface_graph.h>
 
+#include "large_arrays.h"
 #include "parallel.h"
 #include "quadrant_filter.h"
 
 #include <algorithm>
+#include <mutex>
+#include <unordered_map>
 
 namespace pcl {
 namespace crest {
@@ -16,22 +19,16 @@ namespace {
 struct PointwiseCandidates {
   const NeighborSearch& search;
 
-  /** \brief The i-th point that is visited. */
-  static index_t
-  point (std::size_t i)
-  {
-    return static_cast<index_t> (i);
-  }
-
-  /** \brief Calls use (point, found) for the points of a block in their order. */
+  /** \brief Calls use (point, found) for the points of a block. */
   template <typename Use>
   void
   visit (std::size_t first, std::size_t last, const Use& use) const
   {
     std::vector<index_t> found;
     for (std::size_t i = first; i < last; ++i) {
-      search (point (i), found);
-      use (point (i), found);
+      const auto point = static_cast<index_t> (i);
+      search (point, found);
+      use (point, found);
     }
   }
 };
@@ -40,12 +37,6 @@ struct PointwiseCandidates {
 struct BatchedCandidates {
   const PointTree& tree;
   int k;
-
-  index_t
-  point (std::size_t i) const
-  {
-    return tree.index (static_cast<index_t> (i));
-  }
 
   template <typename Use>
   void
@@ -56,74 +47,120 @@ struct BatchedCandidates {
   }
 };
 
-/** \brief Stars as the filter chose them: an edge may be known at one end only. */
+/** \brief Stars as the filter chose them: an edge may be known at one end only. All
+ * have the same room, in which threads put them in any order; the few that need more
+ * are kept beside it.
+ */
+class DirectedStars {
+public:
+  DirectedStars (std::size_t size, std::size_t room)
+  : room_ (room)
+  , counts_ (makeLarge<index_t> (size, 0))
+  , neighbors_ (makeLarge<index_t> (size * room, 0))
+  {}
+
+  std::size_t
+  size () const
+  {
+    return counts_.size();
+  }
+
+  /** \brief Enters the star of a point; for different points threads may do so at
+   * once. */
+  void
+  set (index_t point, const std::vector<index_t>& star)
+  {
+    counts_[point] = static_cast<index_t> (star.size());
+    if (star.size() <= room_) {
+      std::copy (star.begin(), star.end(), neighbors_.data() + point * room_);
+      return;
+    }
+    const std::lock_guard<std::mutex> lock (large_mutex_);
+    large_[point] = {star, std::vector<std::uint8_t> (star.size(), 0)};
+  }
+
+  Star
+  star (index_t point) const
+  {
+    const auto count = static_cast<std::size_t> (counts_[point]);
+    const index_t* const first = count <= room_ ? neighbors_.data() + point * room_
+                                                : large_.at (point).neighbors.data();
+    return {first, first + count};
+  }
+
+  /** \brief Finds the edges that are known at one end alone. */
+  void
+  findOneWay (const Workers& workers)
+  {
+    one_way_ = makeLarge<std::uint8_t> (neighbors_.size(), 0);
+    forEachBlock (
+        size(), workers, [this] (std::size_t, std::size_t first, std::size_t last) {
+          for (auto p = static_cast<index_t> (first); p < static_cast<index_t> (last);
+               ++p) {
+            std::uint8_t* flag = const_cast<std::uint8_t*> (oneWay (p));
+            for (const index_t q : star (p)) {
+              const Star back = star (q);
+              *flag++ = std::find (back.begin(), back.end(), p) == back.end() ? 1 : 0;
+            }
+          }
+        });
+  }
+
+  /** \brief For each edge of a star 1 if it is known at this end alone. */
+  const std::uint8_t*
+  oneWay (index_t point) const
+  {
+    return static_cast<std::size_t> (counts_[point]) <= room_
+               ? one_way_.data() + point * room_
+               : large_.at (point).one_way.data();
+  }
+
+private:
+  struct LargeStar {
+    std::vector<index_t> neighbors;
+    std::vector<std::uint8_t> one_way;
+  };
+
+  std::size_t room_;
+  std::vector<index_t> counts_;
+  std::vector<index_t> neighbors_;
+  std::vector<std::uint8_t> one_way_;
+  std::unordered_map<index_t, LargeStar> large_;
+  std::mutex large_mutex_;
+};
+
+/** \brief The stars of the filter.
+ * \param[out] graph gets boundary and spacing
+ */
 template <typename Candidates>
-SurfaceGraph
+void
 filterNeighbors (const OrientedPoints& points,
                  const Candidates& candidates,
                  const Parameters& parameters,
-                 const Workers& workers)
+                 const Workers& workers,
+                 DirectedStars& stars,
+                 SurfaceGraph& graph)
 {
-  const std::size_t size = points.size();
-  SurfaceGraph directed;
-  directed.offsets.assign (size + 1, 0);
-  directed.boundary.assign (size, 0);
-  directed.spacing.assign (size, 0.0F);
-  std::vector<std::vector<index_t>> blocks (blockCount (size));
+  graph.boundary.assign (points.size(), 0);
+  graph.spacing.assign (points.size(), 0.0F);
   forEachBlock (
-      size, workers, [&] (std::size_t block, std::size_t first, std::size_t last) {
+      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         QuadrantFilter filter (points, parameters);
-        std::vector<index_t>& neighbors = blocks[block];
+        std::vector<index_t> star;
         candidates.visit (
             first, last, [&] (index_t point, const std::vector<index_t>& found) {
               filter.rank (point, found);
-              directed.spacing[point] = static_cast<float> (filter.spacing());
-              const std::size_t before = neighbors.size();
-              directed.boundary[point] = filter.select (point, neighbors) ? 1 : 0;
-              directed.offsets[point + 1] = neighbors.size() - before;
+              graph.spacing[point] = static_cast<float> (filter.spacing());
+              star.clear();
+              graph.boundary[point] = filter.select (point, star) ? 1 : 0;
+              stars.set (point, star);
             });
-        neighbors.shrink_to_fit();
       });
-
   double spacing_sum = 0.0;
-  for (std::size_t i = 0; i < size; ++i) {
-    directed.offsets[i + 1] += directed.offsets[i];
-    spacing_sum += directed.spacing[i];
-  }
-  directed.mean_spacing = size == 0 ? 0.0 : spacing_sum / static_cast<double> (size);
-  directed.neighbors.resize (directed.offsets.back());
-  forEachBlock (
-      size, workers, [&] (std::size_t block, std::size_t first, std::size_t last) {
-        const index_t* from = blocks[block].data();
-        for (std::size_t i = first; i < last; ++i) {
-          const index_t point = candidates.point (i);
-          const index_t* const to =
-              from + directed.offsets[point + 1] - directed.offsets[point];
-          std::copy (from, to, directed.neighbors.data() + directed.offsets[point]);
-          from = to;
-        }
-      });
-  return directed;
-}
-
-/** \brief For each edge of a graph 1 if it is known at this end alone. */
-std::vector<std::uint8_t>
-findOneWay (const SurfaceGraph& directed, const Workers& workers)
-{
-  std::vector<std::uint8_t> one_way (directed.neighbors.size(), 0);
-  forEachBlock (
-      directed.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p)
-          for (std::size_t e = directed.offsets[p]; e < directed.offsets[p + 1]; ++e) {
-            const Star back = directed.star (directed.neighbors[e]);
-            one_way[e] =
-                std::find (back.begin(), back.end(), static_cast<index_t> (p)) ==
-                        back.end()
-                    ? 1
-                    : 0;
-          }
-      });
-  return one_way;
+  for (const float spacing : graph.spacing)
+    spacing_sum += spacing;
+  if (points.size() > 0)
+    graph.mean_spacing = spacing_sum / static_cast<double> (points.size());
 }
 
 /** \brief Sorts few numbers. */
@@ -141,43 +178,49 @@ insertionSort (index_t* first, const index_t* last)
 
 /** \brief "Visiting every point p, getting all its neighbors p_i and assigning p as
  * p_i's neighbor, if it was not already a neighbor" (4.1).
+ * \param[in,out] graph gets the stars
  */
-SurfaceGraph
-symmetrize (SurfaceGraph&& directed, const Workers& workers)
+void
+symmetrize (DirectedStars& stars, const Workers& workers, SurfaceGraph& graph)
 {
-  const std::size_t size = directed.size();
-  SurfaceGraph graph;
-  graph.boundary = std::move (directed.boundary);
-  graph.spacing = std::move (directed.spacing);
-  graph.mean_spacing = directed.mean_spacing;
-  const std::vector<std::uint8_t> one_way = findOneWay (directed, workers);
-  std::vector<index_t> incoming (size, 0);
-  for (std::size_t e = 0; e < one_way.size(); ++e)
-    incoming[directed.neighbors[e]] += one_way[e];
-  graph.offsets.assign (size + 1, 0);
-  for (std::size_t p = 0; p < size; ++p)
-    graph.offsets[p + 1] = graph.offsets[p] +
-                           directed.star (static_cast<index_t> (p)).size() +
+  const auto size = static_cast<index_t> (stars.size());
+  stars.findOneWay (workers);
+  std::vector<index_t> incoming = makeLarge<index_t> (stars.size(), 0);
+  for (index_t p = 0; p < size; ++p) {
+    const std::uint8_t* one_way = stars.oneWay (p);
+    for (const index_t q : stars.star (p))
+      incoming[q] += *one_way++;
+  }
+  graph.offsets = makeLarge<std::size_t> (stars.size() + 1, 0);
+  for (index_t p = 0; p < size; ++p)
+    graph.offsets[p + 1] = graph.offsets[p] + stars.star (p).size() +
                            static_cast<std::size_t> (incoming[p]);
 
-  graph.neighbors.resize (graph.offsets.back());
-  for (std::size_t p = 0; p < size; ++p)
-    for (std::size_t e = directed.offsets[p]; e < directed.offsets[p + 1]; ++e)
-      if (one_way[e] != 0) {
-        const index_t q = directed.neighbors[e];
+  graph.neighbors = makeLarge<index_t> (graph.offsets.back(), 0);
+  for (index_t p = 0; p < size; ++p) {
+    const std::uint8_t* one_way = stars.oneWay (p);
+    for (const index_t q : stars.star (p))
+      if (*one_way++ != 0)
         graph.neighbors[graph.offsets[q + 1] -
-                        static_cast<std::size_t> (incoming[q]--)] =
-            static_cast<index_t> (p);
-      }
-  forEachBlock (size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) {
-      const Star own = directed.star (static_cast<index_t> (p));
-      std::copy (own.begin(), own.end(), graph.neighbors.data() + graph.offsets[p]);
-      insertionSort (graph.neighbors.data() + graph.offsets[p],
-                     graph.neighbors.data() + graph.offsets[p + 1]);
-    }
-  });
-  return graph;
+                        static_cast<std::size_t> (incoming[q]--)] = p;
+  }
+  forEachBlock (
+      stars.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+          const Star own = stars.star (static_cast<index_t> (p));
+          std::copy (own.begin(), own.end(), graph.neighbors.data() + graph.offsets[p]);
+          insertionSort (graph.neighbors.data() + graph.offsets[p],
+                         graph.neighbors.data() + graph.offsets[p + 1]);
+        }
+      });
+}
+
+/** \brief Room for a point in each interval, as far as these are few. */
+std::size_t
+roomFor (const Parameters& parameters)
+{
+  constexpr int MOST = 16;
+  return static_cast<std::size_t> (std::min (4 * parameters.points_per_quadrant, MOST));
 }
 
 } // namespace
@@ -189,9 +232,12 @@ buildSurfaceGraph (const OrientedPoints& points,
                    Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  return symmetrize (
-      filterNeighbors (points, PointwiseCandidates{search}, parameters, workers),
-      workers);
+  SurfaceGraph graph;
+  DirectedStars stars (points.size(), roomFor (parameters));
+  filterNeighbors (
+      points, PointwiseCandidates{search}, parameters, workers, stars, graph);
+  symmetrize (stars, workers, graph);
+  return graph;
 }
 
 SurfaceGraph
@@ -201,10 +247,17 @@ buildSurfaceGraph (const OrientedPoints& points,
                    Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  SurfaceGraph directed = filterNeighbors (
-      points, BatchedCandidates{*tree, parameters.k}, parameters, workers);
+  SurfaceGraph graph;
+  DirectedStars stars (points.size(), roomFor (parameters));
+  filterNeighbors (points,
+                   BatchedCandidates{*tree, parameters.k},
+                   parameters,
+                   workers,
+                   stars,
+                   graph);
   tree.reset();
-  return symmetrize (std::move (directed), workers);
+  symmetrize (stars, workers, graph);
+  return graph;
 }
 
 SurfaceGraph

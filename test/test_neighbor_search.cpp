@@ -119,7 +119,7 @@ TEST (NeighborSearch, BothGiveTheSameSurfaceGraph)
     for (const unsigned threads : {1U, 4U}) {
       parameters.threads = threads;
       const SurfaceGraph graph =
-          buildSurfaceGraph (points, *batchedTree (points, threads), parameters);
+          buildSurfaceGraph (points, batchedTree (points, threads), parameters);
       EXPECT_EQ (graph.offsets, expected.offsets);
       EXPECT_EQ (graph.neighbors, expected.neighbors);
       EXPECT_EQ (graph.boundary, expected.boundary);
@@ -132,6 +132,6 @@ TEST (NeighborSearch, BothGiveTheSameSurfaceGraph)
 TEST (NeighborSearch, NoPointsHaveNoCandidates)
 {
   const OrientedPoints points;
-  EXPECT_EQ (buildSurfaceGraph (points, *batchedTree (points, 1), Parameters()).size(),
+  EXPECT_EQ (buildSurfaceGraph (points, batchedTree (points, 1), Parameters()).size(),
              0U);
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "large_arrays.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+#include <cstdint>
+
+namespace pcl {
+namespace crest {
+
+void
+adviseLargePages (void* memory, std::size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t LARGE = 2U << 20U;
+  if (bytes < LARGE)
+    return;
+  const auto page = static_cast<std::uintptr_t> (::sysconf (_SC_PAGESIZE));
+  const auto first = reinterpret_cast<std::uintptr_t> (memory);
+  const std::uintptr_t begin = (first + page - 1) / page * page;
+  const std::uintptr_t end = (first + bytes) / page * page;
+  // Where the system has no large pages, small ones do.
+  static_cast<void> (
+      ::madvise (reinterpret_cast<void*> (begin), end - begin, MADV_HUGEPAGE));
+#else
+  static_cast<void> (memory);
+  static_cast<void> (bytes);
+#endif
+}
+
+} // namespace crest
+} // namespace pcl
