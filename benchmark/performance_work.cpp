@@ -272,6 +272,12 @@ listWork ()
            const auto change = [] (Parameters& p) { p.maximality = {0.1, 0.1}; };
            return runAgain (change, cloud, threads);
          }},
+        {"rerun_lower_M",
+         true,
+         [] (const Cloud& cloud, unsigned threads) {
+           const auto change = [] (Parameters& p) { p.maximality = {0.001, 0.001}; };
+           return runAgain (change, cloud, threads);
+         }},
         {"rerun_S",
          true,
          [] (const Cloud& cloud, unsigned threads) {
