@@ -26,6 +26,8 @@ LINES = {"paper": "#1f3fd0", "auto": "#d01f1f", "search_avx2": "#1a9850",
 TITLES = {"paper": "crest lines, paper", "auto": "crest lines, auto", "search_avx2": "batched search alone",
           "pcl_principal_curvatures": "pcl::PrincipalCurvaturesEstimation"}
 PC = "pcl_principal_curvatures"
+STAGES = ["packing", "search tree", "surface graph", "creases", "curvature", "maximality", "crest points",
+          "region growing", "spanning forest", "loops", "pruning", "lines", "smoothing"]
 
 
 class Results:
@@ -144,7 +146,8 @@ def plot_growth(results):
 def plot_stages(results, scans):
     figure, all_axes = plt.subplots(2, 1, figsize=(7, 4.4))
     for axes, work in zip(all_axes, ("paper", "auto")):
-        stages = [key for key in results.entries[scans[0], work, "1"][0] if key.startswith("ms ")]
+        keys = results.entries[scans[0], work, "1"][0]
+        stages = [f"ms {stage}" for stage in STAGES if f"ms {stage}" in keys]
         for row, scan in enumerate(scans):
             shares = [results.value(scan, work, 1, stage) for stage in stages]
             left = 0.0
@@ -219,10 +222,10 @@ def main():
 
 `./scripts/benchmark` writes this page. Machine: {processor()}, {os.cpu_count()} processors.
 Release build; one thread where nothing else is said; k = 24 in all, ours and others';
-medians of {REPETITIONS} repetitions in random order within one run; the growth with the number of
-points comes from runs of its own, of 3 repetitions, beyond a million of one. Of ratios
-the median of those within a repetition. All times include building the search tree. Memory is what the system counts
-as resident at the peak, less what was before.
+medians of {REPETITIONS} repetitions in random order within one run. The growth with the number of
+points comes from runs of its own, of 3 repetitions, beyond a million of one. Of ratios it
+is the median of those within a repetition. All times include building the search tree.
+Memory is what the system counts as resident at the peak, less what was before.
 
 Clouds: {", ".join(f"{scan} ({points[scan]:,} points)" for scan in scans)}; waves, a sheet of
 as many waves as its number of points asks for. PC is `pcl::PrincipalCurvaturesEstimation`

@@ -65,12 +65,6 @@ public:
   {
     return adjacency_[v].size();
   }
-  bool
-  isJunction (int v) const
-  {
-    return degree (v) > 2;
-  }
-
   void
   removeEdge (int v, int w)
   {
@@ -104,28 +98,12 @@ public:
   std::vector<int>
   walk (int v, int w, std::size_t limit) const
   {
-    std::vector<int> path;
-    walk (v, w, limit, path);
-    return path;
-  }
-  void
-  walk (int v, int w, std::size_t limit, std::vector<int>& path) const
-  {
-    path.assign ({v, w});
+    std::vector<int> path{v, w};
     while (degree (path.back()) == 2 && path.back() != v && path.size() < limit) {
       const Neighbors& next = adjacency_[path.back()];
       path.push_back (next[0] == path[path.size() - 2] ? next[1] : next[0]);
     }
-  }
-
-  /** \brief The length of a path. */
-  double
-  length (const OrientedPoints& points, const std::vector<int>& path) const
-  {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-      sum += points.edge (vertices_[path[i - 1]], vertices_[path[i]]).norm();
-    return sum;
+    return path;
   }
 
   /** \brief The points that hang together with `start`, ascending; marks them seen. */

@@ -146,10 +146,22 @@ beginsOfPlaces (const std::vector<Sample>& samples)
 Eigen::Vector3f
 meanNormal (const PointView& cloud, const Sample* first, const Sample* last)
 {
-  constexpr double CANCELLED = 1e-6;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  if (last - first == 1)
+    return normalOf (cloud, first->cloud_index).cast<float>();
+  std::vector<Eigen::Vector3d> normals;
   for (; first < last; ++first)
-    sum += normalOf (cloud, first->cloud_index);
+    normals.push_back (normalOf (cloud, first->cloud_index));
+  // The sum, too, must not depend on the order of the cloud.
+  std::sort (normals.begin(),
+             normals.end(),
+             [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+               return std::lexicographical_compare (
+                   a.begin(), a.end(), b.begin(), b.end());
+             });
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& normal : normals)
+    sum += normal;
+  constexpr double CANCELLED = 1e-6;
   if (sum.norm() < CANCELLED)
     return Eigen::Vector3f::Zero();
   return sum.normalized().cast<float>();

@@ -38,14 +38,13 @@ forEachBlock (std::size_t size, const Workers& workers, const Work& work)
   const auto blocks = static_cast<std::ptrdiff_t> (blockCount (size));
   Progress* const progress = workers.progress;
   std::atomic<std::ptrdiff_t> finished{0};
-  const auto workOn = [&] (std::ptrdiff_t block) {
+  const auto workOn = [&] (std::ptrdiff_t block, bool tells) {
     if (progress != nullptr && progress->isCancelled())
       return;
     const std::size_t first = static_cast<std::size_t> (block) * BLOCK_SIZE;
     work (static_cast<std::size_t> (block), first, std::min (first + BLOCK_SIZE, size));
     ++finished;
-    // The first of the threads is the one that started the loop.
-    if (progress != nullptr && omp_get_thread_num() == 0)
+    if (progress != nullptr && tells)
       progress->advance (static_cast<double> (finished) / static_cast<double> (blocks));
   };
   // Even of one thread a parallel region makes those within it dear, which FLANN opens
@@ -53,11 +52,12 @@ forEachBlock (std::size_t size, const Workers& workers, const Work& work)
   const int threads = threadCount (workers.threads);
   if (threads == 1)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
-      workOn (block);
+      workOn (block, true);
   else
+  // The first of the threads is the one that started the loop.
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
-      workOn (block);
+      workOn (block, omp_get_thread_num() == 0);
   if (progress != nullptr)
     progress->check();
 }

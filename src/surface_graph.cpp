@@ -97,7 +97,7 @@ public:
         size(), workers, [this] (std::size_t, std::size_t first, std::size_t last) {
           for (auto p = static_cast<index_t> (first); p < static_cast<index_t> (last);
                ++p) {
-            std::uint8_t* flag = const_cast<std::uint8_t*> (oneWay (p));
+            std::uint8_t* flag = oneWay (p);
             for (const index_t q : star (p)) {
               const Star back = star (q);
               *flag++ = std::find (back.begin(), back.end(), p) == back.end() ? 1 : 0;
@@ -107,8 +107,8 @@ public:
   }
 
   /** \brief For each edge of a star 1 if it is known at this end alone. */
-  const std::uint8_t*
-  oneWay (index_t point) const
+  std::uint8_t*
+  oneWay (index_t point)
   {
     return static_cast<std::size_t> (counts_[point]) <= room_
                ? one_way_.data() + point * room_
@@ -215,12 +215,15 @@ symmetrize (DirectedStars& stars, const Workers& workers, SurfaceGraph& graph)
       });
 }
 
-/** \brief Room for a point in each interval, as far as these are few. */
+/** \brief Room for one point in each interval; more there are only where several are
+ * equally near.
+ */
 std::size_t
 roomFor (const Parameters& parameters)
 {
-  constexpr int MOST = 16;
-  return static_cast<std::size_t> (std::min (4 * parameters.points_per_quadrant, MOST));
+  const int intervals = 4 * parameters.points_per_quadrant;
+  return static_cast<std::size_t> (
+      parameters.radius > 0.0 ? intervals : std::min (intervals, parameters.k));
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "support/stage_inputs.h"
 
+#include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
@@ -112,6 +113,41 @@ TEST (SpanningForest, EqualsTheTextbookOnRandomGraphs)
       weight += static_cast<int> (e.type);
     EXPECT_EQ (weight, boostWeight (SIZE, edges));
   }
+}
+
+TEST (SpanningForest, GrownAlongTheStarsEqualsTheTextbook)
+{
+  std::mt19937 random (17);
+  std::uniform_real_distribution<float> place (0.0F, 1.0F);
+  constexpr int SIDE = 20;
+  for (const bool lattice : {false, true})
+    for (const unsigned most : {2U, 5U}) {
+      std::vector<Eigen::Vector3f> positions;
+      for (int i = 0; i < SIDE * SIDE; ++i)
+        positions.emplace_back (
+            lattice ? Eigen::Vector3f (static_cast<float> (i % SIDE),
+                                       static_cast<float> (i / SIDE),
+                                       0.0F)
+                    : Eigen::Vector3f (place (random), place (random), place (random)));
+      const OrientedPoints points = oracle::pointsAt (positions);
+      std::vector<std::pair<int, int>> pairs;
+      for (int i = 0; i < SIDE * SIDE; ++i)
+        for (const int step : {1, SIDE - 1, SIDE, SIDE + 1})
+          if (i + step < SIDE * SIDE)
+            pairs.emplace_back (i, i + step);
+      const SurfaceGraph graph = oracle::graphOf (positions.size(), pairs);
+      // Of grown points each has a crest point beside it.
+      std::vector<CrestType> types (positions.size(), CrestType::NONE);
+      for (CrestType& type : types)
+        if (random() % most == 0)
+          type = CrestType::RIDGE;
+      const std::vector<PrincipalCurvature> curvature (
+          positions.size(), {1.0F, 0.0F, Eigen::Vector3f::UnitX(), true});
+      const auto members = growRegions (graph, curvature, types, CrestType::RIDGE);
+      EXPECT_EQ (
+          pairsOf (minimumSpanningForest (points, graph, members)),
+          textbookForest (positions.size(), crestEdges (points, graph, members)));
+    }
 }
 
 TEST (SpanningForest, DoesNotDependOnTheOrderOfTheEdges)

@@ -112,6 +112,26 @@ INSTANTIATE_TEST_SUITE_P (Both,
                             return info.param == Preset::AUTO ? "auto" : "paper";
                           });
 
+TEST (CrestLineEstimation, LinesThroughSamplesRunThroughTheSurfaceItself)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const auto lineCloud = [&] (const Parameters& parameters) {
+    Estimation estimation;
+    estimation.setParameters (parameters);
+    estimation.setInputCloud (cloud);
+    Labels labels;
+    estimation.compute (labels);
+    return estimation.getLineCloud();
+  };
+  Parameters parameters;
+  EXPECT_NE (lineCloud (parameters), cloud);
+  parameters.positions = Positions::SAMPLES;
+  EXPECT_EQ (lineCloud (parameters), cloud);
+  parameters = Parameters();
+  parameters.preset = Preset::PAPER;
+  EXPECT_EQ (lineCloud (parameters), cloud);
+}
+
 TEST_P (OfPreset, LabelsMatchTheLines)
 {
   const Cloud::Ptr cloud = ridgeAndValley();

@@ -95,6 +95,32 @@ TEST (OrientedPoints, OrderDoesNotDependOnTheOrderOfTheCloud)
   EXPECT_NE (before.cloud_index, after.cloud_index);
 }
 
+// One point far away makes the cells of the curve so large that all others share one.
+TEST (OrientedPoints, OrderWithinACellDoesNotDependOnTheOrderOfTheCloud)
+{
+  auto cloud = *oracle::sample (oracle::sphere (1.0), 2000);
+  const pcl::PointCloud<pcl::PointNormal> once = cloud;
+  cloud.push_back (at (1e9F, 0, 0));
+  // Three normals a place, whose sum rounds differently in each order.
+  std::mt19937 random (3);
+  std::uniform_real_distribution<float> number (-1.0F, 1.0F);
+  for (const int copy : {1, 2})
+    for (pcl::PointNormal point : once) {
+      point.getNormalVector3fMap() +=
+          0.1F * static_cast<float> (copy) *
+          Eigen::Vector3f (number (random), number (random), number (random));
+      cloud.push_back (point);
+    }
+  const OrientedPoints before = oracle::pack (cloud);
+  ASSERT_EQ (before.size(), once.size() + 1);
+  for (const unsigned threads : {1U, 4U}) {
+    std::shuffle (cloud.begin(), cloud.end(), random);
+    const OrientedPoints after = packOrientedPoints (oracle::viewOf (cloud), threads);
+    EXPECT_EQ (before.positions, after.positions);
+    EXPECT_EQ (before.normals, after.normals);
+  }
+}
+
 TEST (OrientedPoints, FarFromTheOriginNothingIsLost)
 {
   pcl::PointCloud<pcl::PointNormal> cloud;

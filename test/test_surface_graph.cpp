@@ -127,7 +127,9 @@ TEST_P (QuadrantFilter, EqualsThePlainFilterMadeSymmetric)
     ASSERT_EQ (starOf (graph, static_cast<pcl::index_t> (i)), expected[i]) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P (PointsPerQuadrant, QuadrantFilter, testing::Values (1, 2, 3));
+INSTANTIATE_TEST_SUITE_P (PointsPerQuadrant,
+                          QuadrantFilter,
+                          testing::Values (1, 2, 3, 16));
 
 TEST (SurfaceGraph, IsSymmetricSortedAndWithoutDuplicates)
 {

@@ -10,6 +10,7 @@
 #include <vtkSliderRepresentation2D.h>
 
 #include "../tools/command_line.h"
+#include "../tools/export_session.h"
 #include "../tools/viewer_window.h"
 #include "support/picture.h"
 #include "support/temporary_directory.h"
@@ -100,9 +101,10 @@ protected:
   void
   expectExportOfLineTool ()
   {
-    std::filesystem::remove (directory_.file ("waves_command.txt"));
-    press ('e');
     const std::string prefix = directory_.file ("waves");
+    for (const std::string& suffix : exportSuffixes())
+      std::filesystem::remove (prefix + suffix);
+    press ('e');
     const auto contents = [&] {
       auto json = nlohmann::json::parse (contentOf (prefix + "_statistics.json"));
       json.erase ("milliseconds");
@@ -233,6 +235,27 @@ TEST_F (Window, KeysOfPointsAndLines)
   EXPECT_EQ (window_->getMessage(), "the file has no colors");
 }
 
+TEST_F (Window, WhatWasSavedIsNotOverwritten)
+{
+  open (Preset::AUTO);
+  press ('p');
+  press ('e');
+  const std::string prefix = directory_.file ("waves");
+  const std::string picture = contentOf (prefix + ".png");
+  const std::string lines = contentOf (prefix + "_lines.ply");
+  // The command alone is not all of an export.
+  std::filesystem::remove (prefix + "_command.txt");
+  drag (0, 0.1);
+  press ('i');
+  press ('p');
+  press ('e');
+  EXPECT_EQ (window_->getMessage(), "exported " + prefix + "_2_*");
+  EXPECT_EQ (contentOf (prefix + ".png"), picture);
+  EXPECT_EQ (contentOf (prefix + "_lines.ply"), lines);
+  EXPECT_NE (contentOf (prefix + "_2.png"), picture);
+  EXPECT_NE (contentOf (prefix + "_2_lines.ply"), lines);
+}
+
 // What a user did is recorded here, and done again to a window that nobody has touched.
 TEST_F (Window, RecordedInteractionReplays)
 {
@@ -351,18 +374,18 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
   const auto run = [] {
     WindowOptions options;
     options.size = {SIZE, SIZE};
-    ViewerWindow window (options);
+    auto window = std::make_unique<ViewerWindow> (options);
     // The user presses q when the window says what is being done.
     vtkNew<vtkCallbackCommand> quit;
-    quit->SetClientData (&window);
+    quit->SetClientData (window.get());
     quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
       auto* const waiting = static_cast<ViewerWindow*> (data);
       if (waiting->getMessage() == "endless work ... 50 %")
         waiting->getInteractor()->ExitCallback();
     });
-    window.getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);
+    window->getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);
     std::string error;
-    window.run (
+    window->run (
         [] (const ProgressCallback& progress, std::string& why) {
           while (progress ("endless work", 0.5))
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
@@ -370,6 +393,7 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
           return std::unique_ptr<CrestSession>();
         },
         error);
+    window.reset();
     std::_Exit (error.empty() ? 0 : 1);
   };
   EXPECT_EXIT (run(), testing::ExitedWithCode (0), "");

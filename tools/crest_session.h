@@ -18,8 +18,8 @@ public:
 
   /** \brief Runs all stages.
    * \param[in] parameters valid ones
-   * \param[in] progress told how far they are; once it says not to go on, nothing of
-   * the session can be used
+   * \param[in] progress told how far they are; once it says not to go on, there are no
+   * labels, and nothing else of the session can be used
    */
   CrestSession (InputCloud cloud,
                 const Parameters& parameters,

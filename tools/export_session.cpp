@@ -11,6 +11,21 @@
 namespace pcl {
 namespace crest {
 
+namespace {
+
+constexpr char LABELS[] = "_labels.pcd";
+constexpr char LINES[] = "_lines.ply";
+constexpr char STATISTICS[] = "_statistics.json";
+constexpr char COMMAND[] = "_command.txt";
+
+} // namespace
+
+std::vector<std::string>
+exportSuffixes ()
+{
+  return {LABELS, LINES, STATISTICS, COMMAND};
+}
+
 bool
 exportSession (const CrestSession& session,
                const std::string& input,
@@ -19,9 +34,9 @@ exportSession (const CrestSession& session,
 {
   const InputCloud& cloud = session.getCloud();
   const pcl::PointCloud<pcl::Label>& labels = session.getLabels();
-  const std::string labels_file = prefix + "_labels.pcd";
-  const std::string lines_file = prefix + "_lines.ply";
-  const std::string statistics_file = prefix + "_statistics.json";
+  const std::string labels_file = prefix + LABELS;
+  const std::string lines_file = prefix + LINES;
+  const std::string statistics_file = prefix + STATISTICS;
   const std::string command = "pcl_crest_line_estimation " + quoted (input) + " " +
                               quoted (labels_file) + " -lines " + quoted (lines_file) +
                               " -stats " + quoted (statistics_file) +
@@ -37,7 +52,7 @@ exportSession (const CrestSession& session,
                           session.getStatistics(),
                           session.getStatistics().times,
                           error) &&
-         replaceFile (prefix + "_command.txt", command, error);
+         replaceFile (prefix + COMMAND, command, error);
 }
 
 } // namespace crest

@@ -7,6 +7,10 @@
 namespace pcl {
 namespace crest {
 
+/** \brief What follows the prefix in the names of the files of exportSession. */
+std::vector<std::string>
+exportSuffixes ();
+
 /** \brief Writes PREFIX_labels.pcd, PREFIX_lines.ply, PREFIX_statistics.json, and into
  * PREFIX_command.txt the call of pcl_crest_line_estimation that writes the other three.
  * \param[in] session its cloud, lines and parameters

@@ -28,16 +28,20 @@ constexpr float FIRST = 2.0F;
 constexpr double FAST_MILLISECONDS = 60.0;
 constexpr int POLL_MILLISECONDS = 50;
 
-/** \brief The name of a file that is not there yet, with a number if need be: what was
- * saved before is not overwritten.
+/** \brief The prefix, with a number if need be, for files that are not there yet: what
+ * was saved before is not overwritten.
  */
 std::string
-unusedName (const std::string& prefix, const std::string& suffix)
+unusedPrefix (const std::string& prefix, const std::vector<std::string>& suffixes)
 {
-  std::string name = prefix + suffix;
-  for (int i = 2; std::filesystem::exists (name); ++i)
-    name = prefix + "_" + std::to_string (i) + suffix;
-  return name;
+  std::string unused = prefix;
+  const auto isUsed = [&unused] (const std::string& suffix) {
+    std::error_code ignored;
+    return std::filesystem::exists (unused + suffix, ignored);
+  };
+  for (int i = 2; std::any_of (suffixes.begin(), suffixes.end(), isUsed); ++i)
+    unused = prefix + "_" + std::to_string (i);
+  return unused;
 }
 
 /** \brief Takes events before the interactor's style does, which gets the others. */
@@ -172,7 +176,7 @@ ViewerWindow::run (const Load& load, std::string& error)
   if (loading_.valid()) {
     closed_ = true;
     window_->Finalize();
-    loading_.get();
+    loading_.wait();
     return;
   }
   error = load_error_;
@@ -279,7 +283,7 @@ ViewerWindow::setShown (CrestType type, bool shown)
 void
 ViewerWindow::save()
 {
-  const std::string file = unusedName (options_.prefix, ".png");
+  const std::string file = unusedPrefix (options_.prefix, {".png"}) + ".png";
   std::string error;
   say (replaceFile (file, renderPicture (*window_), error) ? "saved " + file : error);
 }
@@ -289,8 +293,7 @@ ViewerWindow::exportFiles()
 {
   if (!shown_.ridge && !shown_.valley)
     return say ("there are no lines to export: ridges and valleys are hidden");
-  const std::string command = unusedName (options_.prefix, "_command.txt");
-  const std::string prefix = command.substr (0, command.rfind ('_'));
+  const std::string prefix = unusedPrefix (options_.prefix, exportSuffixes());
   std::string error;
   say (exportSession (*session_, options_.input, prefix, error)
            ? "exported " + prefix + "_*"
@@ -315,7 +318,10 @@ ViewerWindow::change (const std::function<void (Parameters&)>& edit)
   if (!times.empty() && times.front().stage == "crest points")
     sliders_->setFast (took < FAST_MILLISECONDS);
   std::ostringstream text;
-  text << "updated in " << std::fixed << std::setprecision (1) << took << " ms";
+  const double drawing =
+      1e3 * view_.getScene().getRenderer()->GetLastRenderTimeInSeconds();
+  text << "updated in " << std::fixed << std::setprecision (1) << took
+       << " ms, the last picture took " << drawing << " ms";
   say (text.str());
 }
 

@@ -293,8 +293,9 @@ public:
   }
 
   /** \brief The surface of the last compute with the points on lines moved to where
-   * these run: between the samples with crest::Positions::CREST of the preset AUTO,
-   * else nowhere.
+   * these run: between the samples with crest::Positions::CREST of the preset AUTO.
+   * Else no point moves, and this is the surface itself: what is changed in that is
+   * changed here, too.
    */
   const typename PointCloudIn::ConstPtr&
   getLineCloud () const

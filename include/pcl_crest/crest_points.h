@@ -38,8 +38,11 @@ measureMaximality (const OrientedPoints& points,
                    const Workers& workers);
 
 /** \brief Finds the points that are a maximum by more than M. The sign of k1 tells
- * ridge from valley. \param[in] curvature of the points \param[in] maximality of the
- * points \param[in] threshold M for ridges and for valleys, in 1 / (the cloud's unit)^2
+ * ridge from valley.
+ *
+ * \param[in] curvature of the points
+ * \param[in] maximality of as many points
+ * \param[in] threshold M for ridges and for valleys, in 1 / (the cloud's unit)^2
  */
 std::vector<CrestType>
 classifyCrestPoints (const std::vector<PrincipalCurvature>& curvature,

@@ -70,6 +70,7 @@ struct OrientedPoints {
 
 /** \brief Packs the valid points of a cloud. Invalid are those whose position or
  * normal is not finite, or whose normal is zero.
+ * \param[in] workers a number of threads, 0 for all processors
  */
 OrientedPoints
 packOrientedPoints (const PointView& cloud, const Workers& workers = 1);

@@ -60,6 +60,18 @@ setDataOf (vtkActor* actor, vtkPolyData* data)
   vtkPolyDataMapper::SafeDownCast (actor->GetMapper())->SetInputData (data);
 }
 
+/** \brief How far from the eye's plane a depth of the window's buffer is. */
+double
+eyeDistance (vtkCamera& camera, double depth)
+{
+  std::array<double, 2> range{};
+  camera.GetClippingRange (range.data());
+  const auto [near, far] = range;
+  return camera.GetParallelProjection() != 0
+             ? near + depth * (far - near)
+             : near * far / (far - depth * (far - near));
+}
+
 /** \brief A vertex for each of some points. */
 vtkSmartPointer<vtkPolyData>
 makeDots (const pcl::PointCloud<pcl::PointNormal>& cloud,
@@ -246,8 +258,6 @@ int
 CrestScene::pickLine (int x, int y)
 {
   constexpr double REACH = 6.0;
-  // Of the depth in view; a line covers itself.
-  constexpr double SAME_DEPTH = 1e-3;
   if (lines_->GetVisibility() == 0)
     return -1;
   liftLines();
@@ -272,9 +282,14 @@ CrestScene::pickLine (int x, int y)
                             p[2] / p[3]);
   };
   const auto isCovered = [&] (const Eigen::Vector3d& p) {
-    const double depth = renderer_->GetZ (static_cast<int> (std::lround (p.x())),
-                                          static_cast<int> (std::lround (p.y())));
-    return 0.5 * (p.z() + 1.0) > depth + SAME_DEPTH;
+    const auto pixel = [] (double at, int end) {
+      return static_cast<int> (std::clamp (std::lround (at), 0L, end - 1L));
+    };
+    const double depth =
+        renderer_->GetZ (pixel (p.x(), size[0]), pixel (p.y(), size[1]));
+    vtkCamera& camera = *renderer_->GetActiveCamera();
+    return eyeDistance (camera, 0.5 * (p.z() + 1.0)) >
+           eyeDistance (camera, depth) + lift_;
   };
 
   // Of all lines seen within reach the one that is nearest to the eye.

@@ -26,7 +26,7 @@ public:
       const int next = static_cast<int> (positions_.size());
       const Eigen::Vector3f& p = positions_[from];
       positions_.emplace_back (p.x() + step, p.y(), height);
-      edges_.push_back ({from, next, pcl::crest::EdgeType::A, step * step});
+      edges_.push_back ({from, next, pcl::crest::EdgeType::A, step});
       from = next;
     }
     return from;

@@ -224,6 +224,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   if (analyzed && !keep_analysis_) {
     // Outputs take the place of what is not needed any more.
     analyzed->graph = crest::SurfaceGraph();
+    analyzed->maximality = std::vector<double>();
     analyzed->profiles = std::vector<crest::CrestProfile>();
   }
   writeOutput (packed_indices, labels, shape->curvature, output);
