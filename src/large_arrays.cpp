@@ -18,13 +18,13 @@ adviseLargePages (void* memory, std::size_t bytes)
   constexpr std::size_t LARGE = 2U << 20U;
   if (bytes < LARGE)
     return;
-  const auto page = static_cast<std::uintptr_t> (::sysconf (_SC_PAGESIZE));
-  const auto first = reinterpret_cast<std::uintptr_t> (memory);
-  const std::uintptr_t begin = (first + page - 1) / page * page;
-  const std::uintptr_t end = (first + bytes) / page * page;
+  const auto page = static_cast<std::size_t> (::sysconf (_SC_PAGESIZE));
+  const std::size_t to_page =
+      (page - reinterpret_cast<std::uintptr_t> (memory) % page) % page;
   // Where the system has no large pages, small ones do.
-  static_cast<void> (
-      ::madvise (reinterpret_cast<void*> (begin), end - begin, MADV_HUGEPAGE));
+  static_cast<void> (::madvise (static_cast<char*> (memory) + to_page,
+                                (bytes - to_page) / page * page,
+                                MADV_HUGEPAGE));
 #else
   static_cast<void> (memory);
   static_cast<void> (bytes);

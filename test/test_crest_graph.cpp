@@ -123,12 +123,13 @@ TEST (SpanningForest, GrownAlongTheStarsEqualsTheTextbook)
   for (const bool lattice : {false, true})
     for (const unsigned most : {2U, 5U}) {
       std::vector<Eigen::Vector3f> positions;
-      for (int i = 0; i < SIDE * SIDE; ++i)
+      for (int i = 0; i < SIDE * SIDE; ++i) {
+        const int row = i / SIDE;
         positions.emplace_back (
-            lattice ? Eigen::Vector3f (static_cast<float> (i % SIDE),
-                                       static_cast<float> (i / SIDE),
-                                       0.0F)
+            lattice ? Eigen::Vector3f (
+                          static_cast<float> (i % SIDE), static_cast<float> (row), 0.0F)
                     : Eigen::Vector3f (place (random), place (random), place (random)));
+      }
       const OrientedPoints points = oracle::pointsAt (positions);
       std::vector<std::pair<int, int>> pairs;
       for (int i = 0; i < SIDE * SIDE; ++i)
