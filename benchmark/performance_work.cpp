@@ -247,6 +247,14 @@ memoryOfOurs (const std::string& name, const OurRun& how)
 }
 
 Work
+rerun (const std::string& name, const std::function<void (Parameters&)>& change)
+{
+  return {name, true, [change] (const Cloud& cloud, unsigned threads) {
+            return runAgain (change, cloud, threads);
+          }};
+}
+
+Work
 searchWith (const std::string& name, Simd simd)
 {
   return {name, true, [simd] (const Cloud& cloud, unsigned threads) {
@@ -260,36 +268,29 @@ const std::vector<Work>&
 listWork ()
 {
   static const std::vector<Work> all = [] {
-    std::vector<Work> list{
-        ours ("paper", {Preset::PAPER, true}),
-        ours ("paper_kdtree", {Preset::PAPER, false}),
-        ours ("auto", {Preset::AUTO, true}),
-        memoryOfOurs ("memory_paper", {Preset::PAPER, true}),
-        memoryOfOurs ("memory_auto", {Preset::AUTO, true}),
-        {"rerun_M",
-         true,
-         [] (const Cloud& cloud, unsigned threads) {
-           const auto change = [] (Parameters& p) { p.maximality = {0.1, 0.1}; };
-           return runAgain (change, cloud, threads);
-         }},
-        {"rerun_lower_M",
-         true,
-         [] (const Cloud& cloud, unsigned threads) {
-           const auto change = [] (Parameters& p) { p.maximality = {0.001, 0.001}; };
-           return runAgain (change, cloud, threads);
-         }},
-        {"rerun_S",
-         true,
-         [] (const Cloud& cloud, unsigned threads) {
-           const auto change = [] (Parameters& p) { p.min_size = {30, 30}; };
-           return runAgain (change, cloud, threads);
-         }},
-        searchWith ("search_portable", Simd::PORTABLE),
-        {"search_pcl", false, searchOfPcl},
-        {"search_nanoflann", false, nanoflannSearch},
-        {"search_flann", true, flannSearch},
-        {"pcl_principal_curvatures", false, principalCurvatures},
-        {"pcl_normals", true, normals}};
+    std::vector<Work> list{ours ("paper", {Preset::PAPER, true}),
+                           ours ("paper_kdtree", {Preset::PAPER, false}),
+                           ours ("auto", {Preset::AUTO, true}),
+                           memoryOfOurs ("memory_paper", {Preset::PAPER, true}),
+                           memoryOfOurs ("memory_auto", {Preset::AUTO, true}),
+                           rerun ("rerun_M",
+                                  [] (Parameters& p) {
+                                    p.maximality = {0.1, 0.1};
+                                  }),
+                           rerun ("rerun_lower_M",
+                                  [] (Parameters& p) {
+                                    p.maximality = {0.001, 0.001};
+                                  }),
+                           rerun ("rerun_S",
+                                  [] (Parameters& p) {
+                                    p.min_size = {30, 30};
+                                  }),
+                           searchWith ("search_portable", Simd::PORTABLE),
+                           {"search_pcl", false, searchOfPcl},
+                           {"search_nanoflann", false, nanoflannSearch},
+                           {"search_flann", true, flannSearch},
+                           {"pcl_principal_curvatures", false, principalCurvatures},
+                           {"pcl_normals", true, normals}};
     for (const auto& [name, simd] :
          {std::pair{"search_sse2", Simd::SSE2}, std::pair{"search_avx2", Simd::AVX2}})
       if (pcl::crest::isAvailable (simd))

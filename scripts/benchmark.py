@@ -147,7 +147,7 @@ def plot_stages(results, scans):
     figure, all_axes = plt.subplots(2, 1, figsize=(7, 4.4))
     for axes, work in zip(all_axes, ("paper", "auto")):
         keys = results.entries[scans[0], work, "1"][0]
-        stages = [f"ms {stage}" for stage in STAGES if f"ms {stage}" in keys]
+        stages = sorted((key for key in keys if key.startswith("ms ")), key=lambda key: STAGES.index(key[3:]))
         for row, scan in enumerate(scans):
             shares = [results.value(scan, work, 1, stage) for stage in stages]
             left = 0.0

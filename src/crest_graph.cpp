@@ -48,6 +48,23 @@ takeShortest (Iterator first,
   takeShortest (middle, last, trees, forest);
 }
 
+/** \brief Takes the edges by their types first, then by length. */
+void
+takeByType (std::vector<CrestEdge>& edges,
+            DisjointSets& trees,
+            std::vector<CrestEdge>& forest)
+{
+  const auto endOf = [&edges] (auto begin, EdgeType type) {
+    return std::partition (
+        begin, edges.end(), [type] (const CrestEdge& e) { return e.type == type; });
+  };
+  const auto b_begin = endOf (edges.begin(), EdgeType::A);
+  const auto c_begin = endOf (b_begin, EdgeType::B);
+  takeShortest (edges.begin(), b_begin, trees, forest);
+  takeShortest (b_begin, c_begin, trees, forest);
+  takeShortest (c_begin, edges.end(), trees, forest);
+}
+
 EdgeType
 edgeType (Membership a, Membership b)
 {
@@ -124,12 +141,7 @@ struct GrowingForest {
             (membership[q] != from || p < q))
           missing.push_back (makeEdge (points, p, q, edgeType (from, membership[q])));
     }
-    const auto crest_end =
-        std::partition (missing.begin(), missing.end(), [] (const CrestEdge& e) {
-          return e.type != EdgeType::C;
-        });
-    takeShortest (missing.begin(), crest_end, trees, edges);
-    takeShortest (crest_end, missing.end(), trees, edges);
+    takeByType (missing, trees, edges);
   }
 };
 
@@ -266,19 +278,11 @@ minimumSpanningForest (std::size_t size,
                        std::vector<CrestEdge> edges,
                        const std::vector<CrestEdge>& given)
 {
-  const auto b_begin =
-      std::partition (edges.begin(), edges.end(), [] (const CrestEdge& e) {
-        return e.type == EdgeType::A;
-      });
-  const auto c_begin = std::partition (
-      b_begin, edges.end(), [] (const CrestEdge& e) { return e.type == EdgeType::B; });
   DisjointSets trees (size);
   std::vector<CrestEdge> forest = given;
   for (const CrestEdge& edge : given)
     trees.unite (edge.a, edge.b);
-  takeShortest (edges.begin(), b_begin, trees, forest);
-  takeShortest (b_begin, c_begin, trees, forest);
-  takeShortest (c_begin, edges.end(), trees, forest);
+  takeByType (edges, trees, forest);
   return forest;
 }
 

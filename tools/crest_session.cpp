@@ -7,26 +7,19 @@ namespace crest {
 CrestSession::CrestSession (InputCloud cloud,
                             const Parameters& parameters,
                             const ProgressCallback& progress)
-: cloud_ (std::move (cloud)), parameters_ (parameters)
+: cloud_ (std::move (cloud))
 {
   estimation_.setInputCloud (cloud_.points);
   estimation_.setKeepAnalysis (true);
   estimation_.setProgressCallback (progress);
-  compute();
+  setThresholds (parameters);
   estimation_.setProgressCallback (nullptr);
 }
 
 void
 CrestSession::setThresholds (const Parameters& thresholds)
 {
-  parameters_ = thresholds;
-  compute();
-}
-
-void
-CrestSession::compute()
-{
-  estimation_.setParameters (parameters_);
+  estimation_.setParameters (thresholds);
   estimation_.compute (labels_);
   estimation_.setAnalysis (estimation_.getAnalysis());
 }

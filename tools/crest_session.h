@@ -48,10 +48,10 @@ public:
   {
     return *estimation_.getAnalysis()->points;
   }
-  const Parameters&
+  Parameters
   getParameters () const
   {
-    return parameters_;
+    return estimation_.getParameters();
   }
   /** \brief One for each point of the cloud. */
   const pcl::PointCloud<pcl::Label>&
@@ -82,11 +82,7 @@ public:
   }
 
 private:
-  void
-  compute ();
-
   InputCloud cloud_;
-  Parameters parameters_;
   Estimation estimation_;
   pcl::PointCloud<pcl::Label> labels_;
 };
