@@ -16,44 +16,64 @@ constexpr int ROUNDS = 3;
 /** In spacings. */
 constexpr double FARTHEST_MOVE = 2.0;
 
-using Places = std::vector<Eigen::Vector3d>;
+/** With 1 as their fourth coordinate: sums of places then count what they sum. */
+using Places = std::vector<Eigen::Vector4d>;
 
 /** \brief The place at arc length 0 of a quadratic through places weighted by (1 - s^2
  * / radius^2)^2; the place in the middle itself where there are too few for one.
  */
 class ArcFit {
 public:
-  explicit ArcFit (double radius) : radius_ (radius) {}
+  explicit ArcFit (double radius) : inverse_radius_ (1.0 / radius) {}
 
   void
-  add (double s, const Eigen::Vector3d& place)
+  add (double s, const Eigen::Vector4d& place)
   {
-    const double t = s / radius_;
-    const double g = 1.0 - t * t;
+    const double t = s * inverse_radius_;
+    const double t2 = t * t;
+    const double g = 1.0 - t2;
     if (g <= 0.0)
       return;
-    const Eigen::Vector3d row (1.0, t, t * t);
-    matrix_ += g * g * row * row.transpose();
-    right_side_ += g * g * row * place.transpose();
+    const Eigen::Vector4d weighted = g * g * place;
+    sum_ += weighted;
+    sum_t_ += t * weighted;
+    sum_t2_ += t2 * weighted;
+    sum_t3_ += t * t2 * weighted.w();
+    sum_t4_ += t2 * t2 * weighted.w();
     ++count_;
   }
 
-  Eigen::Vector3d
-  middle (const Eigen::Vector3d& otherwise) const
+  Eigen::Vector4d
+  middle (const Eigen::Vector4d& otherwise) const
   {
     constexpr int LEAST_PLACES = 4;
     if (count_ < LEAST_PLACES)
       return otherwise;
-    const Eigen::Matrix3d regular =
-        matrix_ + 1e-6 * matrix_ (0, 0) * Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d solution = regular.llt().solve (right_side_);
-    return solution.row (0).transpose();
+    // The first row of the inverse of the normal equations' matrix, by minors.
+    const double regular = 1e-6 * sum_.w();
+    const double m00 = sum_.w() + regular;
+    const double m01 = sum_t_.w();
+    const double m02 = sum_t2_.w();
+    const double m11 = m02 + regular;
+    const double m12 = sum_t3_;
+    const double m22 = sum_t4_ + regular;
+    const double minor0 = m11 * m22 - m12 * m12;
+    const double minor1 = m02 * m12 - m01 * m22;
+    const double minor2 = m01 * m12 - m02 * m11;
+    const double determinant = m00 * minor0 + m01 * minor1 + m02 * minor2;
+    Eigen::Vector4d place =
+        (minor0 * sum_ + minor1 * sum_t_ + minor2 * sum_t2_) / determinant;
+    place.w() = 1.0;
+    return place;
   }
 
 private:
-  double radius_;
-  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d right_side_ = Eigen::Matrix3d::Zero();
+  double inverse_radius_;
+  Eigen::Vector4d sum_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d sum_t_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d sum_t2_ = Eigen::Vector4d::Zero();
+  double sum_t3_ = 0.0;
+  double sum_t4_ = 0.0;
   int count_ = 0;
 };
 
@@ -64,6 +84,9 @@ smoothed (const Places& places, const std::vector<double>& radii, bool closed)
   const auto size = static_cast<std::ptrdiff_t> (places.size());
   // The first point of a closed polyline is also its last.
   const std::ptrdiff_t period = size - 1;
+  std::vector<double> to_next;
+  for (std::ptrdiff_t i = 0; i < period; ++i)
+    to_next.push_back ((places[i + 1] - places[i]).norm());
   Places result = places;
   for (std::ptrdiff_t i = closed ? 0 : 1; i < period; ++i) {
     ArcFit fit (radii[i]);
@@ -73,11 +96,13 @@ smoothed (const Places& places, const std::vector<double>& radii, bool closed)
       std::ptrdiff_t at = i;
       for (std::ptrdiff_t step = 1; step < period; ++step) {
         std::ptrdiff_t next = at + direction;
-        if (closed)
-          next = (next + period) % period;
+        if (closed && next == period)
+          next = 0;
+        else if (closed && next < 0)
+          next = period - 1;
         else if (next < 0 || next >= size)
           break;
-        s += (places[next] - places[at]).norm();
+        s += to_next[direction > 0 ? at : next];
         if (s >= radii[i])
           break;
         fit.add (direction * s, places[next]);
@@ -106,7 +131,8 @@ smoothLines (const std::vector<CrestLine>& lines,
       Places places;
       std::vector<double> radii;
       for (const index_t p : polyline) {
-        places.emplace_back (points.positions[p].cast<double>() - origin);
+        Eigen::Vector4d& place = places.emplace_back();
+        place << points.positions[p].cast<double>() - origin, 1.0;
         radii.push_back (profiles[p].radius);
       }
       const Places before = places;
@@ -116,11 +142,11 @@ smoothLines (const std::vector<CrestLine>& lines,
         if (profiles[polyline[i]].sharp)
           continue;
         const double farthest = FARTHEST_MOVE * graph.spacing[polyline[i]];
-        const Eigen::Vector3d move = places[i] - before[i];
+        const Eigen::Vector3d move = (places[i] - before[i]).head<3>();
         const double length = move.norm();
         const double part = length > farthest ? farthest / length : 1.0;
         points.positions[polyline[i]] =
-            (origin + before[i] + part * move).cast<float>();
+            (origin + before[i].head<3>() + part * move).cast<float>();
       }
     }
 }
