@@ -332,7 +332,7 @@ keepLines (const OrientedPoints& points,
   OrientedPoints moved;
   if (parameters.preset == Preset::AUTO) {
     moved.positions = std::move (crests.positions);
-    smoothLines (crests.lines, shape.profiles, shape.graph, moved);
+    smoothLines (crests.lines, shape.profiles, shape.graph, parameters.threads, moved);
     measureProfiles (shape.profiles, crests.points, crests.lines);
     watch.stageDone ("smoothing");
     if (parameters.positions == Positions::SAMPLES)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/line_smoothing.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-#include <algorithm>
+#include "parallel.h"
+
 #include <cmath>
 
 namespace pcl {
@@ -116,39 +117,61 @@ smoothed (const Places& places, const std::vector<double>& radii, bool closed)
   return result;
 }
 
+/** \brief Where the points of a polyline are moved to. */
+std::vector<Eigen::Vector3f>
+smoothPlaces (const std::vector<index_t>& polyline,
+              const std::vector<CrestProfile>& profiles,
+              const SurfaceGraph& graph,
+              const std::vector<Eigen::Vector3f>& positions)
+{
+  const bool closed = polyline.front() == polyline.back();
+  const Eigen::Vector3d origin = positions[polyline[0]].cast<double>();
+  Places places;
+  std::vector<double> radii;
+  for (const index_t p : polyline) {
+    Eigen::Vector4d& place = places.emplace_back();
+    place << positions[p].cast<double>() - origin, 1.0;
+    radii.push_back (profiles[p].radius);
+  }
+  const Places before = places;
+  for (int round = 0; round < ROUNDS; ++round)
+    places = smoothed (places, radii, closed);
+  std::vector<Eigen::Vector3f> moved;
+  for (std::size_t i = 0; i < polyline.size(); ++i) {
+    if (profiles[polyline[i]].sharp) {
+      moved.push_back (positions[polyline[i]]);
+      continue;
+    }
+    const double farthest = FARTHEST_MOVE * graph.spacing[polyline[i]];
+    const Eigen::Vector3d move = (places[i] - before[i]).head<3>();
+    const double length = move.norm();
+    const double part = length > farthest ? farthest / length : 1.0;
+    moved.emplace_back ((origin + before[i].head<3>() + part * move).cast<float>());
+  }
+  return moved;
+}
+
 } // namespace
 
 void
 smoothLines (const std::vector<CrestLine>& lines,
              const std::vector<CrestProfile>& profiles,
              const SurfaceGraph& graph,
+             unsigned threads,
              OrientedPoints& points)
 {
+  std::vector<const std::vector<index_t>*> polylines;
   for (const CrestLine& line : lines)
-    for (const std::vector<index_t>& polyline : line.polylines) {
-      const bool closed = polyline.front() == polyline.back();
-      const Eigen::Vector3d origin = points.positions[polyline[0]].cast<double>();
-      Places places;
-      std::vector<double> radii;
-      for (const index_t p : polyline) {
-        Eigen::Vector4d& place = places.emplace_back();
-        place << points.positions[p].cast<double>() - origin, 1.0;
-        radii.push_back (profiles[p].radius);
-      }
-      const Places before = places;
-      for (int round = 0; round < ROUNDS; ++round)
-        places = smoothed (places, radii, closed);
-      for (std::size_t i = 0; i < polyline.size(); ++i) {
-        if (profiles[polyline[i]].sharp)
-          continue;
-        const double farthest = FARTHEST_MOVE * graph.spacing[polyline[i]];
-        const Eigen::Vector3d move = (places[i] - before[i]).head<3>();
-        const double length = move.norm();
-        const double part = length > farthest ? farthest / length : 1.0;
-        points.positions[polyline[i]] =
-            (origin + before[i].head<3>() + part * move).cast<float>();
-      }
-    }
+    for (const std::vector<index_t>& polyline : line.polylines)
+      polylines.push_back (&polyline);
+  const auto count = static_cast<std::ptrdiff_t> (polylines.size());
+  std::vector<std::vector<Eigen::Vector3f>> places (polylines.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    places[i] = smoothPlaces (*polylines[i], profiles, graph, points.positions);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < places[i].size(); ++j)
+      points.positions[(*polylines[i])[j]] = places[i][j];
 }
 
 } // namespace crest

@@ -14,17 +14,20 @@ namespace crest {
  * that; within the radius that a curvature was fitted over a crest cannot turn any
  * faster than a quadratic. Ends of polylines that are shared stay where they are, so
  * that lines still meet, and so do the points of sharp edges, which may bend at once;
- * no point moves by more than two spacings.
+ * no point moves by more than two spacings. Each polyline is smoothed as if it were
+ * alone; of those through one point the last says where it stands.
  *
  * \param[in] lines whose polylines run through the points
  * \param[in] profiles for the radii
  * \param[in] graph for the spacing
+ * \param[in] threads how many, 0 for all processors
  * \param[in,out] points where the lines run
  */
 void
 smoothLines (const std::vector<CrestLine>& lines,
              const std::vector<CrestProfile>& profiles,
              const SurfaceGraph& graph,
+             unsigned threads,
              OrientedPoints& points);
 
 } // namespace crest
