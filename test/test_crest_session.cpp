@@ -5,6 +5,7 @@
 #include "../tools/command_line.h"
 #include "../tools/export_session.h"
 #include "../tools/options.h"
+#include "../tools/thresholds.h"
 #include "support/analytic_surface.h"
 #include "support/extraction.h"
 #include "support/temporary_directory.h"
@@ -183,6 +184,31 @@ TEST (CrestSession, RepeatsNoMoreThanNeeded)
   p.angle = 30.0;
   session.setThresholds (p);
   EXPECT_EQ (stages (session).front(), "crest points");
+}
+
+// Where M is in the cloud's unit, its slider reaches as far as where it is not.
+TEST (Thresholds, SliderOfAbsoluteMReachesAsFar)
+{
+  auto points = makeCloud();
+  for (pcl::PointNormal& point : *points)
+    point.getVector3fMap() *= 1e-3F;
+  const auto linesAtEnds = [&points] (bool absolute) {
+    Parameters p;
+    p.preset = Preset::PAPER;
+    p.absolute_maximality = absolute;
+    CrestSession session (inputOf (points), p);
+    const Threshold slider = thresholdsOf (session).front();
+    std::vector<std::size_t> lines;
+    for (const double end : {slider.least, slider.most}) {
+      slider.set (p, end);
+      session.setThresholds (p);
+      lines.push_back (session.getStatistics().line_sizes.ridge.size());
+    }
+    return lines;
+  };
+  const std::vector<std::size_t> relative = linesAtEnds (false);
+  EXPECT_EQ (linesAtEnds (true), relative);
+  EXPECT_GT (relative[0], relative[1]);
 }
 
 TEST (CommandLine, IsReadBackAsItWas)

@@ -230,6 +230,10 @@ TEST_F (Viewer, SaysThatItNeedsADisplay)
       EXPECT_NE (said.find ("needs an X display"), std::string::npos) << said;
       EXPECT_NE (said.find ("xvfb-run"), std::string::npos) << said;
     }
+  // Of two mistakes the user's own is told first.
+  std::string said;
+  EXPECT_EQ (runViewer ("env -u DISPLAY", folder + "/missing.pcd", &said), 2);
+  EXPECT_NE (said.find ("there is no such file"), std::string::npos) << said;
   EXPECT_FALSE (std::filesystem::exists (output));
 }
 

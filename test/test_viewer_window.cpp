@@ -49,10 +49,11 @@ protected:
   }
 
   void
-  press (char key)
+  press (char key, bool shift = false)
   {
     vtkRenderWindowInteractor* const interactor = window_->getInteractor();
-    interactor->SetKeyEventInformation (0, 0, key, 1, std::string (1, key).c_str());
+    const std::string name (1, key);
+    interactor->SetKeyEventInformation (0, shift ? 1 : 0, key, 1, name.c_str());
     for (const auto event : {vtkCommand::KeyPressEvent,
                              vtkCommand::CharEvent,
                              vtkCommand::KeyReleaseEvent})
@@ -222,6 +223,10 @@ TEST_F (Window, KeysOfPointsAndLines)
   EXPECT_GT (count (picture(), isGrey), small_dots + 1000);
   press ('-');
   EXPECT_EQ (count (picture(), isGrey), small_dots);
+  // The plus of keyboards that have it above the equals sign.
+  press ('=', true);
+  EXPECT_GT (count (picture(), isGrey), small_dots + 1000);
+  press ('-');
   press ('-');
   // The text at the bottom has changed.
   EXPECT_NEAR (count (picture(), isGrey), count (surface, isGrey), 2000);
@@ -254,6 +259,22 @@ TEST_F (Window, WhatWasSavedIsNotOverwritten)
   EXPECT_EQ (contentOf (prefix + "_lines.ply"), lines);
   EXPECT_NE (contentOf (prefix + "_2.png"), picture);
   EXPECT_NE (contentOf (prefix + "_2_lines.ply"), lines);
+}
+
+TEST_F (Window, ExportsTheBoundariesThatItShows)
+{
+  open (Preset::AUTO);
+  const auto exportBoundaries = [this] {
+    expectExportOfLineTool();
+    pcl::PointCloud<pcl::PointXYZL> labels;
+    pcl::io::loadPCDFile (directory_.file ("waves_labels.pcd"), labels);
+    return std::count_if (labels.begin(), labels.end(), [] (const auto& point) {
+      return point.label == LABEL_BOUNDARY;
+    });
+  };
+  EXPECT_EQ (exportBoundaries(), 0);
+  press ('5');
+  EXPECT_GT (exportBoundaries(), 100);
 }
 
 // What a user did is recorded here, and done again to a window that nobody has touched.
@@ -380,7 +401,8 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
     quit->SetClientData (window.get());
     quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
       auto* const waiting = static_cast<ViewerWindow*> (data);
-      if (waiting->getMessage() == "endless work ... 50 %")
+      if (waiting->getMessage() ==
+          "endless work ... 50 % (q quits, other keys work when this is done)")
         waiting->getInteractor()->ExitCallback();
     });
     window->getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);

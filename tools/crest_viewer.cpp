@@ -182,7 +182,7 @@ main (int argc, char** argv)
     if (!checkWritable (request.screenshot, error))
       return fail (PROGRAM, EXIT_FILE, error);
   }
-  if (!canRender (error))
+  if (!checkReadable (request.window.input, error) || !canRender (error))
     return fail (PROGRAM, EXIT_FILE, error);
   return request.screenshot.empty() ? showWindow (request, parameters)
                                     : savePicture (request, parameters);

@@ -31,6 +31,11 @@ public:
   /** \brief Returns whether the session knows these colors; else nothing changes. */
   bool
   setColorMode (ColorMode mode);
+  ColorMode
+  getColorMode () const
+  {
+    return mode_;
+  }
 
   void
   setDirectionsVisible (bool visible);

@@ -4,6 +4,8 @@
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/visualization/picture.h>
 
+#include <pcl/console/print.h>
+
 #include <vtkCommand.h>
 #include <vtkTextProperty.h>
 
@@ -42,6 +44,16 @@ unusedPrefix (const std::string& prefix, const std::vector<std::string>& suffixe
   for (int i = 2; std::any_of (suffixes.begin(), suffixes.end(), isUsed); ++i)
     unused = prefix + "_" + std::to_string (i);
   return unused;
+}
+
+/** \brief The character that a key stands for, or 0. VTK tells that of the key alone:
+ * on keyboards without a plus of its own that is the equals sign.
+ */
+char
+typedKey (vtkRenderWindowInteractor* interactor)
+{
+  const char key = interactor->GetKeyCode();
+  return key == '=' && interactor->GetShiftKey() != 0 ? '+' : key;
 }
 
 /** \brief Takes events before the interactor's style does, which gets the others. */
@@ -97,6 +109,10 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
   Eigen::Vector3d ink = inkOn (options_.view.background);
   text_->GetTextProperty()->SetColor (ink.data());
   text_->GetTextProperty()->SetFontSize (16);
+  // So that it can be read over the points, too.
+  Eigen::Vector3d paper = options_.view.background;
+  text_->GetTextProperty()->SetBackgroundColor (paper.data());
+  text_->GetTextProperty()->SetBackgroundOpacity (0.7);
   text_->SetPosition (12, 12);
   text_->SetInput (" ");
   view_.getScene().getRenderer()->AddActor (text_);
@@ -159,7 +175,8 @@ ViewerWindow::run (const Load& load, std::string& error)
 {
   const auto progress = [this] (const std::string& stage, double done) {
     const std::lock_guard<std::mutex> lock (stage_mutex_);
-    stage_ = stage + " ... " + std::to_string (std::lround (100.0 * done)) + " %";
+    stage_ = stage + " ... " + std::to_string (std::lround (100.0 * done)) +
+             " % (q quits, other keys work when this is done)";
     return !closed_;
   };
   loading_ = std::async (std::launch::async, [this, load, progress] {
@@ -175,6 +192,8 @@ ViewerWindow::run (const Load& load, std::string& error)
   viewer_->spin();
   if (loading_.valid()) {
     closed_ = true;
+    // That nothing comes of what is cancelled is what the user wants.
+    pcl::console::setVerbosityLevel (pcl::console::L_ERROR);
     window_->Finalize();
     loading_.wait();
     return;
@@ -210,7 +229,7 @@ ViewerWindow::keyPressed (unsigned long event)
   vtkRenderWindowInteractor* const interactor = getInteractor();
   if (interactor->GetControlKey() != 0 || interactor->GetAltKey() != 0)
     return false;
-  const char key = interactor->GetKeyCode();
+  const char key = typedKey (interactor);
   const bool pressed = event == vtkCommand::KeyPressEvent;
   if (key == 'h' && pressed)
     std::cout << "Keys of pcl_crest_viewer, before those of pcl_viewer:\n" << keys();
@@ -293,6 +312,12 @@ ViewerWindow::exportFiles()
 {
   if (!shown_.ridge && !shown_.valley)
     return say ("there are no lines to export: ridges and valleys are hidden");
+  // What is on the screen has to be in the file.
+  Parameters parameters = session_->getParameters();
+  if (view_.getColorMode() == ColorMode::BOUNDARY && !parameters.boundaries) {
+    parameters.boundaries = true;
+    session_->setThresholds (parameters);
+  }
   const std::string prefix = unusedPrefix (options_.prefix, exportSuffixes());
   std::string error;
   say (exportSession (*session_, options_.input, prefix, error)
@@ -361,7 +386,7 @@ ViewerWindow::say (const std::string& message)
 {
   message_ = message;
   std::string text = message;
-  if (session_) {
+  if (session_ && (shown_.ridge || shown_.valley)) {
     std::size_t ridges = 0;
     for (const CrestLine& line : session_->getLines())
       ridges += line.type == CrestType::RIDGE ? 1 : 0;

@@ -34,10 +34,9 @@ private:
   pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
 };
 
-std::string
-readText (const std::string& file)
+std::ifstream
+openFile (const std::filesystem::path& path)
 {
-  const std::filesystem::path path (file);
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status (path, failure);
   if (!std::filesystem::exists (status))
@@ -51,6 +50,14 @@ readText (const std::string& file)
   std::ifstream stream (path, std::ios::binary);
   if (!stream)
     throw ReadError (std::string ("it cannot be opened: ") + std::strerror (errno));
+  return stream;
+}
+
+std::string
+readText (const std::string& file)
+{
+  const std::filesystem::path path (file);
+  std::ifstream stream = openFile (path);
   std::string text (std::filesystem::file_size (path), '\0');
   stream.read (text.data(), static_cast<std::streamsize> (text.size()));
   if (!stream)
@@ -219,6 +226,19 @@ readCloud (const std::string& file,
   }
   catch (const std::exception& problem) {
     error = file + ": it cannot be read: " + problem.what();
+  }
+  return false;
+}
+
+bool
+checkReadable (const std::string& file, std::string& error)
+{
+  try {
+    openFile (file);
+    return true;
+  }
+  catch (const ReadError& problem) {
+    error = file + ": " + problem.what();
   }
   return false;
 }

@@ -65,5 +65,12 @@ readCloud (const std::string& file,
            InputCloud& cloud,
            std::string& error);
 
+/** \brief Whether there is a file that can be opened, found out without reading it.
+ * \param[in] file the path
+ * \param[out] error if not, what is wrong, naming the file
+ */
+bool
+checkReadable (const std::string& file, std::string& error);
+
 } // namespace crest
 } // namespace pcl
