@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "cubic_residual.h"
+#include "large_arrays.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -51,6 +52,73 @@ struct Plane {
   {
     return (p - center).dot (normal);
   }
+};
+
+/** \brief Samples that a plane is to be fitted to. */
+class PlaneSamples {
+public:
+  void
+  add (const Vector3d& p)
+  {
+    sum_ += p;
+    xx_ += p.x() * p.x();
+    xy_ += p.x() * p.y();
+    xz_ += p.x() * p.z();
+    yy_ += p.y() * p.y();
+    yz_ += p.y() * p.z();
+    zz_ += p.z() * p.z();
+    ++count_;
+  }
+
+  /** \brief What the residual of the best plane is at least, for little time: of the
+   * eigenvalues a <= b <= c it is a, and abc / (ab + ac + bc) is less by a part of
+   * a / b + a / c.
+   */
+  double
+  leastResidual () const
+  {
+    const Matrix3d m = scatter();
+    const double minors = m (0, 0) * m (1, 1) - m (0, 1) * m (0, 1) +
+                          m (0, 0) * m (2, 2) - m (0, 2) * m (0, 2) +
+                          m (1, 1) * m (2, 2) - m (1, 2) * m (1, 2);
+    return minors > 0.0 ? m.determinant() / minors : 0.0;
+  }
+
+  /** \brief Fits the plane, its normal on the side of the one that it has; returns
+   * whether there is one.
+   */
+  bool
+  fit (Plane& plane) const
+  {
+    // Part of the variance across of that along: a row of samples is no plane.
+    constexpr double LEAST_WIDTH = 0.04;
+    constexpr int LEAST_COUNT = 4;
+    if (count_ < LEAST_COUNT)
+      return false;
+    plane.center = sum_ / count_;
+    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+    solver.computeDirect (scatter());
+    if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
+      return false;
+    plane.residual = solver.eigenvalues()[0];
+    const Vector3d n = solver.eigenvectors().col (0);
+    plane.normal = n.dot (plane.normal) < 0.0 ? Vector3d (-n) : n;
+    return true;
+  }
+
+private:
+  /** \brief The sum of the products of coordinates from the center. */
+  Matrix3d
+  scatter () const
+  {
+    Matrix3d squares;
+    squares << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
+    return squares - sum_ / count_ * sum_.transpose();
+  }
+
+  Vector3d sum_ = Vector3d::Zero();
+  double xx_ = 0.0, xy_ = 0.0, xz_ = 0.0, yy_ = 0.0, yz_ = 0.0, zz_ = 0.0;
+  int count_ = 0;
 };
 
 /** \brief Fits edges around one sample after the other. Lengths are in spacings, from
@@ -297,7 +365,12 @@ private:
     constexpr double LEAST_PART = 0.18;
     constexpr std::size_t LEAST_COUNT = 5;
     for (int round = 0; round < ROUNDS; ++round) {
-      if (!fitPlane (count, 1, planes[0]) || !fitPlane (count, -1, planes[1]))
+      std::array<PlaneSamples, 2> parts;
+      for (std::size_t i = 0; i < count; ++i)
+        parts[side_[i] > 0 ? 0 : 1].add (neighbors_[i].position);
+      if (round == 0 && parts[0].leastResidual() + parts[1].leastResidual() > largest)
+        return false;
+      if (!parts[0].fit (planes[0]) || !parts[1].fit (planes[1]))
         return false;
       if (round == 0 && planes[0].residual + planes[1].residual > largest)
         return false;
@@ -323,35 +396,6 @@ private:
         std::max (LEAST_COUNT,
                   static_cast<std::size_t> (LEAST_PART * static_cast<double> (count)));
     return std::min (first, count - first) >= least;
-  }
-
-  bool
-  fitPlane (std::size_t count, int side, Plane& plane) const
-  {
-    // Part of the variance across of that along: a row of samples is no plane.
-    constexpr double LEAST_WIDTH = 0.04;
-    constexpr int LEAST_COUNT = 4;
-    Vector3d sum = Vector3d::Zero();
-    Matrix3d squares = Matrix3d::Zero();
-    int members = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      if (side_[i] == side) {
-        const Vector3d& p = neighbors_[i].position;
-        sum += p;
-        squares += p * p.transpose();
-        ++members;
-      }
-    if (members < LEAST_COUNT)
-      return false;
-    plane.center = sum / members;
-    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect (squares - plane.center * sum.transpose());
-    if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
-      return false;
-    plane.residual = solver.eigenvalues()[0];
-    const Vector3d n = solver.eigenvectors().col (0);
-    plane.normal = n.dot (plane.normal) < 0.0 ? Vector3d (-n) : n;
-    return true;
   }
 
   /** \brief Mean squared distance of the window from a cubic height function, for its
@@ -385,7 +429,7 @@ findCreases (const OrientedPoints& points,
              const NeighborSearch& search,
              const Workers& workers)
 {
-  std::vector<Crease> creases (points.size());
+  std::vector<Crease> creases = makeLarge (points.size(), Crease());
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         CreaseFitter fitter (points, graph);

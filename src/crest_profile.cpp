@@ -2,6 +2,7 @@
 #include <pcl_crest/crest_profile.h>
 #include <pcl_crest/scale_fit.h>
 
+#include "large_arrays.h"
 #include "parallel.h"
 #include "profile_blend.h"
 
@@ -173,7 +174,7 @@ profileCrests (const OrientedPoints& points,
                const SurfaceGraph& graph,
                const Workers& workers)
 {
-  std::vector<CrestProfile> profiles (points.size());
+  std::vector<CrestProfile> profiles = makeLarge (points.size(), CrestProfile());
   std::vector<std::uint8_t> active (points.size(), 1);
   PyramidLevel level = finestLevel (points, graph);
   int at_level = 0;

@@ -2,7 +2,7 @@
 // How far points are from a smooth surface.
 #pragma once
 
-#include <Eigen/Dense>
+#include "small_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -28,18 +28,18 @@ public:
     const double u = p.dot (x_);
     const double v = p.dot (y_);
     const double z = p.dot (normal_);
-    std::array<double, DEGREE + 1> pu{1.0, u};
-    std::array<double, DEGREE + 1> pv{1.0, v};
-    for (int i = 2; i <= DEGREE; ++i) {
-      pu[i] = pu[i - 1] * u;
-      pv[i] = pv[i - 1] * v;
-    }
-    for (int i = 0, m = 0; i <= DEGREE; ++i)
-      for (int j = 0; j <= DEGREE - i; ++j, ++m)
-        moments_[m] += pu[i] * pv[j];
-    for (int i = 0, m = 0; i <= 3; ++i)
-      for (int j = 0; j <= 3 - i; ++j, ++m)
-        right_side_[m] += pu[i] * pv[j] * z;
+    Row powers;
+    powers[0] = 1.0;
+    for (int j = 1; j < WIDTH; ++j)
+      powers[j] = powers[j - 1] * v;
+    double pu = 1.0;
+    for (int i = 0; i <= DEGREE; ++i, pu *= u)
+      for (int j = 0; j < WIDTH - i / 2 * 2; ++j)
+        moments_[i][j] += pu * powers[j];
+    double zu = z;
+    for (int i = 0; i <= 3; ++i, zu *= u)
+      for (int j = 0; j <= 3; ++j)
+        heights_[i][j] += zu * powers[j];
     squares_ += z * z;
     ++count_;
   }
@@ -54,38 +54,37 @@ public:
     for (int a = 0; a < TERMS; ++a)
       for (int b = 0; b <= a; ++b)
         matrix (a, b) =
-            moments_[place (POWERS[a][0] + POWERS[b][0], POWERS[a][1] + POWERS[b][1])];
+            moments_[POWERS[a][0] + POWERS[b][0]][POWERS[a][1] + POWERS[b][1]];
     matrix.diagonal().array() += 1e-9 * count_;
-    const Eigen::LLT<Eigen::Matrix<double, TERMS, TERMS>, Eigen::Lower> solver (matrix);
+    const SmallCholesky<TERMS> solver (matrix);
     // Seen along a face, heights are no function of the place.
-    if (solver.info() != Eigen::Success)
+    if (!solver.isPositiveDefinite())
       return squares_ / (count_ - TERMS);
+    Eigen::Matrix<double, TERMS, 1> right_side;
+    for (int a = 0; a < TERMS; ++a)
+      right_side[a] = heights_[POWERS[a][0]][POWERS[a][1]];
     // The squares that the cubic takes up: |L^-1 b|^2.
-    const Coefficients taken = solver.matrixL().solve (right_side_);
-    return std::max (0.0, squares_ - taken.squaredNorm()) / (count_ - TERMS);
+    const double taken = solver.solveLower (right_side).squaredNorm();
+    return std::max (0.0, squares_ - taken) / (count_ - TERMS);
   }
 
 private:
   static constexpr int TERMS = 10;
   /** of the moments: of products of two terms */
   static constexpr int DEGREE = 6;
-  using Coefficients = Eigen::Matrix<double, TERMS, 1>;
+  /** Rows are longer than is needed, so that several moments are added at once. */
+  static constexpr int WIDTH = DEGREE + 2;
+  using Row = std::array<double, WIDTH>;
   /** the powers of u and v in each term */
   static constexpr int POWERS[TERMS][2] = {
       {0, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {3, 0}};
 
-  /** \brief The place of the moment of u^i v^j. */
-  static constexpr int
-  place (int i, int j)
-  {
-    return i * (DEGREE + 1) - i * (i - 1) / 2 + j;
-  }
-
   Eigen::Vector3d normal_;
   Eigen::Vector3d x_;
   Eigen::Vector3d y_;
-  std::array<double, (DEGREE + 1) * (DEGREE + 2) / 2> moments_{};
-  Coefficients right_side_ = Coefficients::Zero();
+  /** sums of u^i v^j, and of heights times these */
+  std::array<Row, DEGREE + 1> moments_{};
+  std::array<std::array<double, 4>, 4> heights_{};
   double squares_ = 0.0;
   double count_ = 0.0;
 };

@@ -32,5 +32,15 @@ makeLarge (std::size_t size, const T& value)
   return array;
 }
 
+template <typename T>
+std::vector<T>
+copyLarge (const std::vector<T>& array)
+{
+  std::vector<T> copy;
+  reserveLarge (copy, array.size());
+  copy.assign (array.begin(), array.end());
+  return copy;
+}
+
 } // namespace crest
 } // namespace pcl

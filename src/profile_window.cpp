@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_window.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
+#include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
+#include "small_cholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +91,7 @@ fitPolynomial (const PyramidLevel& level,
   if (!result.covers (0.0) || count < LEAST_NODES)
     return result;
   matrix.diagonal().array() += 1e-5 * weight;
-  const Eigen::LLT<Eigen::Matrix<double, TERMS, TERMS>, Eigen::Lower> solver (matrix);
-  result.coefficients = solver.solve (right_side);
+  result.coefficients = SmallCholesky<TERMS> (matrix).solve (right_side);
   result.window = window;
   result.k1_error = std::sqrt (variance / weight);
   result.valid = result.coefficients.allFinite();
@@ -134,7 +135,8 @@ fitPolynomials (const PyramidLevel& level,
                 double elongation,
                 const Workers& workers)
 {
-  std::vector<ProfilePolynomial> polynomials (level.size());
+  std::vector<ProfilePolynomial> polynomials =
+      makeLarge (level.size(), ProfilePolynomial());
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         NodeWalk walk (level.graph);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/pyramid.h>
 
+#include "large_arrays.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -151,22 +152,30 @@ coarserGraph (const SurfaceGraph& fine,
               const std::vector<index_t>& coarse_of,
               std::size_t size)
 {
-  std::vector<std::pair<index_t, index_t>> edges;
-  for (index_t a = 0; a < static_cast<index_t> (fine.size()); ++a)
-    for (const index_t b : fine.star (a))
-      if (coarse_of[a] != coarse_of[b])
-        edges.emplace_back (coarse_of[a], coarse_of[b]);
-  std::sort (edges.begin(), edges.end());
-  edges.erase (std::unique (edges.begin(), edges.end()), edges.end());
+  const auto forEachEdge = [&] (const auto& work) {
+    for (index_t a = 0; a < static_cast<index_t> (fine.size()); ++a)
+      for (const index_t b : fine.star (a))
+        if (coarse_of[a] != coarse_of[b])
+          work (coarse_of[a], coarse_of[b]);
+  };
+  // Each edge as often as fine ones make it, sorted by its first node.
+  std::vector<std::size_t> ends (size + 1, 0);
+  forEachEdge ([&] (index_t a, index_t) { ++ends[a + 1]; });
+  std::partial_sum (ends.begin(), ends.end(), ends.begin());
+  std::vector<index_t> repeated (ends.back());
+  forEachEdge ([&] (index_t a, index_t b) { repeated[ends[a]++] = b; });
 
   SurfaceGraph graph;
-  graph.offsets.assign (size + 1, 0);
-  graph.neighbors.reserve (edges.size());
-  for (const auto& [a, b] : edges) {
-    ++graph.offsets[a + 1];
-    graph.neighbors.push_back (b);
+  graph.offsets.assign (1, 0);
+  graph.offsets.reserve (size + 1);
+  auto first = repeated.begin();
+  for (std::size_t a = 0; a < size; ++a) {
+    const auto last = repeated.begin() + static_cast<std::ptrdiff_t> (ends[a]);
+    std::sort (first, last);
+    graph.neighbors.insert (graph.neighbors.end(), first, std::unique (first, last));
+    graph.offsets.push_back (graph.neighbors.size());
+    first = last;
   }
-  std::partial_sum (graph.offsets.begin(), graph.offsets.end(), graph.offsets.begin());
   return graph;
 }
 
@@ -176,10 +185,14 @@ PyramidLevel
 finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
 {
   PyramidLevel level;
-  level.positions = points.positions;
-  level.normals = points.normals;
+  level.positions = copyLarge (points.positions);
+  level.normals = copyLarge (points.normals);
   level.weights.assign (points.size(), 1.0F);
-  level.graph = graph;
+  level.graph.offsets = copyLarge (graph.offsets);
+  level.graph.neighbors = copyLarge (graph.neighbors);
+  level.graph.boundary = graph.boundary;
+  level.graph.spacing = graph.spacing;
+  level.graph.mean_spacing = graph.mean_spacing;
   level.node_of.resize (points.size());
   std::iota (level.node_of.begin(), level.node_of.end(), 0);
   return level;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/scale_fit.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
+#include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
+#include "small_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -228,7 +230,7 @@ private:
       // Nodes on few lines leave some terms open: these become zero.
       matrix (i, i) += 1e-9 * moments.weight;
     }
-    const Eigen::LLT<NormalMatrix> solver (matrix);
+    const SmallCholesky<TERMS> solver (matrix);
     const Coefficients c = solver.solve (right_side);
     if (!c.allFinite())
       return false;
@@ -329,7 +331,7 @@ fitAtScale (const PyramidLevel& level,
             const std::vector<std::uint8_t>& needed,
             const Workers& workers)
 {
-  std::vector<ScaleFit> fits (level.size());
+  std::vector<ScaleFit> fits = makeLarge (level.size(), ScaleFit());
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         CubicFitter fitter (level, nearest);

@@ -270,8 +270,9 @@ withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& remov
   rest.boundary = graph.boundary;
   rest.spacing = graph.spacing;
   rest.mean_spacing = graph.mean_spacing;
-  rest.offsets.assign (1, 0);
-  rest.offsets.reserve (graph.offsets.size());
+  reserveLarge (rest.offsets, graph.offsets.size());
+  reserveLarge (rest.neighbors, graph.neighbors.size());
+  rest.offsets.push_back (0);
   for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
     if (removed[p] == 0)
       for (const index_t q : graph.star (p))
