@@ -3,8 +3,8 @@
 
 #include "forest.h"
 
+#include <algorithm>
 #include <functional>
-#include <queue>
 #include <tuple>
 
 namespace pcl {
@@ -18,39 +18,16 @@ namespace {
 class Reach {
 public:
   Reach (const OrientedPoints& points, const Forest& graph)
-  : points_ (points)
-  , graph_ (graph)
-  , distance_ (static_cast<std::size_t> (graph.size()), UNKNOWN)
-  {}
+  : graph_ (graph), distance_ (static_cast<std::size_t> (graph.size()), UNKNOWN)
+  {
+    for (int v = 0; v < graph.size(); ++v)
+      places_.push_back (points.positions[graph.packed (v)]);
+  }
 
   bool
   within (int from, int to, double limit)
   {
-    std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
-    const auto reach = [&] (int v, double distance) {
-      if (distance_[v] != UNKNOWN && distance_[v] <= distance)
-        return;
-      const double whole = distance + length (v, to);
-      if (whole >= limit)
-        return;
-      if (distance_[v] == UNKNOWN)
-        reached_.push_back (v);
-      distance_[v] = distance;
-      fronts.push ({whole, distance, v});
-    };
-    reach (from, 0.0);
-    while (!fronts.empty() && distance_[to] == UNKNOWN) {
-      const Front front = fronts.top();
-      fronts.pop();
-      if (front.distance == distance_[front.point])
-        for (const int w : graph_.neighbors (front.point))
-          reach (w, front.distance + length (front.point, w));
-    }
-    const bool found = distance_[to] != UNKNOWN;
-    for (const int v : reached_)
-      distance_[v] = UNKNOWN;
-    reached_.clear();
-    return found;
+    return withinTwoEdges (from, to, limit) || search (from, to, limit);
   }
 
 private:
@@ -68,16 +45,66 @@ private:
     }
   };
 
+  /** \brief The same up to two edges, as most ways have, for a fraction of the time. */
+  bool
+  withinTwoEdges (int from, int to, double limit) const
+  {
+    const Forest::Neighbors& ends = graph_.neighbors (to);
+    const auto reaches = [&] (int v) {
+      return std::binary_search (ends.begin(), ends.end(), v);
+    };
+    if (reaches (from))
+      return length (from, to) < limit;
+    const Forest::Neighbors& steps = graph_.neighbors (from);
+    return std::any_of (steps.begin(), steps.end(), [&] (int v) {
+      return reaches (v) && length (from, v) + length (v, to) < limit;
+    });
+  }
+
+  bool
+  search (int from, int to, double limit)
+  {
+    fronts_.clear();
+    const auto reach = [&] (int v, double distance) {
+      if (distance_[v] != UNKNOWN && distance_[v] <= distance)
+        return;
+      const double whole = distance + length (v, to);
+      if (whole >= limit)
+        return;
+      if (distance_[v] == UNKNOWN)
+        reached_.push_back (v);
+      distance_[v] = distance;
+      fronts_.push_back ({whole, distance, v});
+      std::push_heap (fronts_.begin(), fronts_.end(), std::greater<>());
+    };
+    reach (from, 0.0);
+    while (!fronts_.empty() && distance_[to] == UNKNOWN) {
+      std::pop_heap (fronts_.begin(), fronts_.end(), std::greater<>());
+      const Front front = fronts_.back();
+      fronts_.pop_back();
+      if (front.distance == distance_[front.point])
+        for (const int w : graph_.neighbors (front.point))
+          reach (w, front.distance + length (front.point, w));
+    }
+    const bool found = distance_[to] != UNKNOWN;
+    for (const int v : reached_)
+      distance_[v] = UNKNOWN;
+    reached_.clear();
+    return found;
+  }
+
   double
   length (int v, int w) const
   {
-    return points_.edge (graph_.packed (v), graph_.packed (w)).norm();
+    return (places_[v].cast<double>() - places_[w].cast<double>()).norm();
   }
 
-  const OrientedPoints& points_;
   const Forest& graph_;
+  std::vector<Eigen::Vector3f> places_;
   std::vector<double> distance_;
   std::vector<int> reached_;
+  /** a heap, the nearest first */
+  std::vector<Front> fronts_;
 };
 
 } // namespace
