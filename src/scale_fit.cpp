@@ -252,7 +252,7 @@ private:
     direction[4] = 2.0 * principal.x * principal.y;
     direction[5] = principal.y * principal.y;
     const double k1_variance = variance * CURVATURE_VARIANCE * kappa *
-                               direction.dot (solver.solve (direction));
+                               solver.solveLower (direction).squaredNorm();
 
     result.k1 = principal.k1 / radius;
     result.k2 = principal.k2 / radius;

@@ -58,9 +58,9 @@ public:
   {
     Vector x = solveLower (b);
     for (int k = N - 1; k >= 0; --k) {
-      for (int i = k + 1; i < N; ++i)
-        x[k] -= factor_ (i, k) * x[i];
       x[k] *= inverse_diagonal_[k];
+      for (int i = 0; i < k; ++i)
+        x[i] -= factor_ (k, i) * x[k];
     }
     return x;
   }
