@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <new>
 
 using namespace pcl::crest;
 
@@ -70,8 +71,14 @@ load (const WindowOptions& window,
     error = input + ": it has no colors, which -color rgb is to show";
     return nullptr;
   }
-  auto session =
-      std::make_unique<CrestSession> (std::move (cloud), parameters, progress);
+  std::unique_ptr<CrestSession> session;
+  try {
+    session = std::make_unique<CrestSession> (std::move (cloud), parameters, progress);
+  }
+  catch (const std::bad_alloc&) {
+    error = notEnoughMemory (input);
+    return nullptr;
+  }
   if (session->getLabels().empty()) {
     error = input + ": the crest lines could not be computed";
     return nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimation.h"
 
+#include <new>
+
 namespace pcl {
 namespace crest {
 
@@ -18,7 +20,13 @@ estimate (const std::string& file,
   result.estimation.setInputCloud (result.cloud.points);
   result.estimation.setParameters (parameters);
   result.estimation.setProgressCallback (progress);
-  result.estimation.compute (result.labels);
+  try {
+    result.estimation.compute (result.labels);
+  }
+  catch (const std::bad_alloc&) {
+    error = notEnoughMemory (file);
+    return EXIT_FILE;
+  }
   result.estimation.setProgressCallback (nullptr);
   if (result.labels.size() == result.cloud.points->size())
     return EXIT_DONE;

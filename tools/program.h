@@ -14,6 +14,15 @@ namespace crest {
  */
 enum ExitCode { EXIT_DONE = 0, EXIT_USAGE = 1, EXIT_FILE = 2 };
 
+/** \brief What to say of a file whose cloud was read, but is too large to compute. */
+inline std::string
+notEnoughMemory (const std::string& file)
+{
+  return file +
+         ": there is not enough memory to compute its crest lines: compute it in "
+         "parts that overlap";
+}
+
 /** \brief Says what is wrong; returns the code to exit with. */
 inline int
 fail (const std::string& program, ExitCode code, const std::string& message)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PCD through PCL's reader, once its header is known to be true to the file:
 // PCL makes room for as many points as the header announces.
-#include <pcl/io/pcd_io.h>
-
 #include "file_content.h"
+#include "load_pcd_module.h"
 #include "number_type.h"
 
 #include <array>
@@ -205,8 +204,7 @@ readPcd (const std::string& file, const std::string& text)
   pcl::PCLPointCloud2 data;
   Eigen::Vector4f origin;
   Eigen::Quaternionf orientation;
-  int version = 0;
-  if (pcl::PCDReader().read (file, data, origin, orientation, version) < 0)
+  if (!loadPcdModule() (file.c_str(), data, origin, orientation))
     throw ReadError ("its data are not as its header says");
 
   constexpr std::array<const char*, 6> NAMES{

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace pcl {
 namespace crest {
@@ -223,6 +224,9 @@ readCloud (const std::string& file,
     if (problem.line() != 0)
       error += ":" + std::to_string (problem.line());
     error += std::string (": ") + problem.what();
+  }
+  catch (const std::bad_alloc&) {
+    error = file + ": there is not enough memory to read it";
   }
   catch (const std::exception& problem) {
     error = file + ": it cannot be read: " + problem.what();

@@ -15,6 +15,8 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${scratch}/prefix")
+# It loads its reader of PCD files from there, too.
+run("${scratch}/prefix/bin/pcl_crest_line_estimation" "${CLOUD}" "${scratch}/labels.pcd")
 run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${scratch}/build" -DEXAMPLE=${EXAMPLE}
     "-DCMAKE_PREFIX_PATH=${scratch}/prefix" -DCMAKE_BUILD_TYPE=Release
     "-DCMAKE_CXX_FLAGS=${FLAGS}")

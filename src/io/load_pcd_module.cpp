@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "load_pcd_module.h"
+
+#include "text_scanner.h"
+
+#ifdef PCL_CREST_PCD_MODULE
+#include <dlfcn.h>
+
+#include <filesystem>
+#endif
+
+namespace pcl {
+namespace crest {
+
+#ifdef PCL_CREST_PCD_MODULE
+
+namespace {
+
+PcdReader
+load ()
+{
+  Dl_info here{};
+  const int known = ::dladdr (reinterpret_cast<void*> (&loadPcdModule), &here);
+  const std::filesystem::path folder =
+      known != 0 ? std::filesystem::path (here.dli_fname).parent_path() : ".";
+  const std::string module = (folder / PCL_CREST_PCD_MODULE).string();
+  // Never closed: libraries of the module do not unload safely.
+  void* const library = ::dlopen (module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const reader =
+      library != nullptr ? ::dlsym (library, "pcl_crest_read_pcd") : nullptr;
+  if (reader == nullptr)
+    throw ReadError (
+        std::string ("PCL's reader of PCD files could not be loaded from ") + module +
+        ": " + ::dlerror());
+  return reinterpret_cast<PcdReader> (reader);
+}
+
+} // namespace
+
+PcdReader
+loadPcdModule ()
+{
+  static const PcdReader reader = load();
+  return reader;
+}
+
+#else
+
+PcdReader
+loadPcdModule ()
+{
+  return &pcl_crest_read_pcd;
+}
+
+#endif
+
+} // namespace crest
+} // namespace pcl
