@@ -6,6 +6,7 @@
 #include "cubic_residual.h"
 #include "large_arrays.h"
 #include "parallel.h"
+#include "plane_samples.h"
 
 #include <algorithm>
 #include <array>
@@ -40,86 +41,6 @@ constexpr double FARTHEST_FOOT = 1.0;
  * the faces of an edge may have. */
 constexpr double ZERO_RESIDUAL = 0.05;
 constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
-
-struct Plane {
-  Vector3d center;
-  Vector3d normal;
-  /** sum of the squared distances of the samples that it was fitted to */
-  double residual = 0.0;
-
-  double
-  height (const Vector3d& p) const
-  {
-    return (p - center).dot (normal);
-  }
-};
-
-/** \brief Samples that a plane is to be fitted to. */
-class PlaneSamples {
-public:
-  void
-  add (const Vector3d& p)
-  {
-    sum_ += p;
-    xx_ += p.x() * p.x();
-    xy_ += p.x() * p.y();
-    xz_ += p.x() * p.z();
-    yy_ += p.y() * p.y();
-    yz_ += p.y() * p.z();
-    zz_ += p.z() * p.z();
-    ++count_;
-  }
-
-  /** \brief What the residual of the best plane is at least, for little time: of the
-   * eigenvalues a <= b <= c it is a, and abc / (ab + ac + bc) is less by a part of
-   * a / b + a / c.
-   */
-  double
-  leastResidual () const
-  {
-    const Matrix3d m = scatter();
-    const double minors = m (0, 0) * m (1, 1) - m (0, 1) * m (0, 1) +
-                          m (0, 0) * m (2, 2) - m (0, 2) * m (0, 2) +
-                          m (1, 1) * m (2, 2) - m (1, 2) * m (1, 2);
-    return minors > 0.0 ? m.determinant() / minors : 0.0;
-  }
-
-  /** \brief Fits the plane, its normal on the side of the one that it has; returns
-   * whether there is one.
-   */
-  bool
-  fit (Plane& plane) const
-  {
-    // Part of the variance across of that along: a row of samples is no plane.
-    constexpr double LEAST_WIDTH = 0.04;
-    constexpr int LEAST_COUNT = 4;
-    if (count_ < LEAST_COUNT)
-      return false;
-    plane.center = sum_ / count_;
-    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect (scatter());
-    if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
-      return false;
-    plane.residual = solver.eigenvalues()[0];
-    const Vector3d n = solver.eigenvectors().col (0);
-    plane.normal = n.dot (plane.normal) < 0.0 ? Vector3d (-n) : n;
-    return true;
-  }
-
-private:
-  /** \brief The sum of the products of coordinates from the center. */
-  Matrix3d
-  scatter () const
-  {
-    Matrix3d squares;
-    squares << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
-    return squares - sum_ / count_ * sum_.transpose();
-  }
-
-  Vector3d sum_ = Vector3d::Zero();
-  double xx_ = 0.0, xy_ = 0.0, xz_ = 0.0, yy_ = 0.0, yz_ = 0.0, zz_ = 0.0;
-  int count_ = 0;
-};
 
 /** \brief Fits edges around one sample after the other. Lengths are in spacings, from
  * the sample.

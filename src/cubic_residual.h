@@ -2,10 +2,12 @@
 // How far points are from a smooth surface.
 #pragma once
 
+#include <Eigen/Geometry>
+
+#include "cubic_moments.h"
 #include "small_cholesky.h"
 
 #include <algorithm>
-#include <array>
 
 namespace pcl {
 namespace crest {
@@ -25,23 +27,7 @@ public:
   void
   add (const Eigen::Vector3d& p)
   {
-    const double u = p.dot (x_);
-    const double v = p.dot (y_);
-    const double z = p.dot (normal_);
-    Row powers;
-    powers[0] = 1.0;
-    for (int j = 1; j < WIDTH; ++j)
-      powers[j] = powers[j - 1] * v;
-    double pu = 1.0;
-    for (int i = 0; i <= DEGREE; ++i, pu *= u)
-      for (int j = 0; j < WIDTH - i / 2 * 2; ++j)
-        moments_[i][j] += pu * powers[j];
-    double zu = z;
-    for (int i = 0; i <= 3; ++i, zu *= u)
-      for (int j = 0; j <= 3; ++j)
-        heights_[i][j] += zu * powers[j];
-    squares_ += z * z;
-    ++count_;
+    moments_.add (p.dot (x_), p.dot (y_), p.dot (normal_), 1.0);
   }
 
   /** \brief Mean squared distance of the points from the cubic, for its degrees of
@@ -50,43 +36,31 @@ public:
   double
   meanSquare () const
   {
+    constexpr int TERMS = CubicMoments::TERMS;
     Eigen::Matrix<double, TERMS, TERMS> matrix;
-    for (int a = 0; a < TERMS; ++a)
-      for (int b = 0; b <= a; ++b)
-        matrix (a, b) =
-            moments_[POWERS[a][0] + POWERS[b][0]][POWERS[a][1] + POWERS[b][1]];
-    matrix.diagonal().array() += 1e-9 * count_;
+    Eigen::Matrix<double, TERMS, 1> right_side;
+    for (int i = 0; i < TERMS; ++i) {
+      right_side[i] = moments_.height (i);
+      for (int j = 0; j <= i; ++j)
+        matrix (i, j) = moments_.product (i, j);
+      matrix (i, i) += 1e-9 * moments_.weight;
+    }
+    const double squares = moments_.squared_heights;
+    const double freedom = moments_.weight - TERMS;
     const SmallCholesky<TERMS> solver (matrix);
     // Seen along a face, heights are no function of the place.
     if (!solver.isPositiveDefinite())
-      return squares_ / (count_ - TERMS);
-    Eigen::Matrix<double, TERMS, 1> right_side;
-    for (int a = 0; a < TERMS; ++a)
-      right_side[a] = heights_[POWERS[a][0]][POWERS[a][1]];
+      return squares / freedom;
     // The squares that the cubic takes up: |L^-1 b|^2.
-    const double taken = solver.solveLower (right_side).squaredNorm();
-    return std::max (0.0, squares_ - taken) / (count_ - TERMS);
+    return std::max (0.0, squares - solver.solveLower (right_side).squaredNorm()) /
+           freedom;
   }
 
 private:
-  static constexpr int TERMS = 10;
-  /** of the moments: of products of two terms */
-  static constexpr int DEGREE = 6;
-  /** Rows are longer than is needed, so that several moments are added at once. */
-  static constexpr int WIDTH = DEGREE + 2;
-  using Row = std::array<double, WIDTH>;
-  /** the powers of u and v in each term */
-  static constexpr int POWERS[TERMS][2] = {
-      {0, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {3, 0}};
-
   Eigen::Vector3d normal_;
   Eigen::Vector3d x_;
   Eigen::Vector3d y_;
-  /** sums of u^i v^j, and of heights times these */
-  std::array<Row, DEGREE + 1> moments_{};
-  std::array<std::array<double, 4>, 4> heights_{};
-  double squares_ = 0.0;
-  double count_ = 0.0;
+  CubicMoments moments_;
 };
 
 } // namespace crest

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cubic_moments.h"
 #include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
@@ -17,12 +18,17 @@ namespace crest {
 
 namespace {
 
-constexpr int TERMS = 10;
-constexpr int DEGREE = 3;
-/** The monomials u^A v^B of a cubic; coefficients are its derivatives at the node. */
-constexpr int A[TERMS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
-constexpr int B[TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
-constexpr double FACTORIAL[DEGREE + 1] = {1.0, 1.0, 2.0, 6.0};
+constexpr int TERMS = CubicMoments::TERMS;
+
+/** \brief What the i-th coefficient, a derivative of the cubic at the node, is divided
+ * by where it is that of a monomial.
+ */
+constexpr double
+factorials (int i)
+{
+  constexpr double FACTORIAL[CubicMoments::DEGREE + 1] = {1.0, 1.0, 2.0, 6.0};
+  return FACTORIAL[CubicMoments::A[i]] * FACTORIAL[CubicMoments::B[i]];
+}
 
 /** Fewer nodes than this leave too little to tell noise from shape by. */
 constexpr std::size_t LEAST_NODES = TERMS + 4;
@@ -57,38 +63,20 @@ struct Neighbor {
   }
 };
 
-/** \brief Sums over the neighbours; lengths in units of the radius. */
-struct Moments {
-  /** of w u^a v^b, the second index padded so that rows are added at once */
-  double powers[2 * DEGREE + 1][2 * DEGREE + 2] = {};
-  /** of w z u^a v^b */
-  double heights[DEGREE + 1][DEGREE + 1] = {};
-  double squared_heights = 0.0;
-  /** of the kernel, of kernel times samples, and of kernel squared times samples */
+/** \brief Sums over the neighbours; lengths in units of the radius, weights are the
+ * kernel's times the number of samples.
+ */
+struct Moments : CubicMoments {
+  /** of the kernel, and of kernel squared times samples */
   double kernel = 0.0;
-  double weight = 0.0;
   double kernel_weight = 0.0;
 
   void
   add (double u, double v, double z, double kernel_value, double samples)
   {
-    constexpr int WIDTH = 2 * DEGREE + 2;
     const double w = kernel_value * samples;
-    double v_powers[WIDTH];
-    v_powers[0] = 1.0;
-    for (int b = 1; b < WIDTH; ++b)
-      v_powers[b] = v_powers[b - 1] * v;
-    double wu = w;
-    for (int a = 0; a <= 2 * DEGREE; ++a, wu *= u)
-      for (int b = 0; b < WIDTH; ++b)
-        powers[a][b] += wu * v_powers[b];
-    double wzu = w * z;
-    for (int a = 0; a <= DEGREE; ++a, wzu *= u)
-      for (int b = 0; b <= DEGREE; ++b)
-        heights[a][b] += wzu * v_powers[b];
-    squared_heights += w * z * z;
+    CubicMoments::add (u, v, z, w);
     kernel += kernel_value;
-    weight += w;
     kernel_weight += w * kernel_value;
   }
 };
@@ -222,11 +210,10 @@ private:
     NormalMatrix matrix;
     Coefficients right_side;
     for (int i = 0; i < TERMS; ++i) {
-      const double scale = 1.0 / (FACTORIAL[A[i]] * FACTORIAL[B[i]]);
-      right_side[i] = scale * moments.heights[A[i]][B[i]];
+      const double scale = 1.0 / factorials (i);
+      right_side[i] = scale * moments.height (i);
       for (int j = 0; j <= i; ++j)
-        matrix (i, j) = matrix (j, i) = moments.powers[A[i] + A[j]][B[i] + B[j]] *
-                                        scale / (FACTORIAL[A[j]] * FACTORIAL[B[j]]);
+        matrix (i, j) = matrix (j, i) = moments.product (i, j) * scale / factorials (j);
       // Nodes on few lines leave some terms open: these become zero.
       matrix (i, i) += 1e-9 * moments.weight;
     }
