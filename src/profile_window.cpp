@@ -34,7 +34,8 @@ fitPolynomial (const PyramidLevel& level,
                NodeWalk& walk)
 {
   constexpr int TERMS = ProfilePolynomial::TERMS;
-  using Row = Eigen::Matrix<double, TERMS, 1>;
+  // Padded, so that several products are added at once.
+  constexpr int WIDTH = TERMS + 1;
 
   const ScaleFit& own = fits[node];
   const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
@@ -45,9 +46,8 @@ fitPolynomial (const PyramidLevel& level,
   const Eigen::Vector3d origin = surface (node);
   const bool round = elongation == 1.0;
 
-  Eigen::Matrix<double, TERMS, TERMS> matrix =
-      Eigen::Matrix<double, TERMS, TERMS>::Zero();
-  Row right_side = Row::Zero();
+  double products[TERMS][WIDTH] = {};
+  double sums[WIDTH] = {};
   double weight = 0.0;
   double variance = 0.0;
   int count = 0;
@@ -74,12 +74,16 @@ fitPolynomial (const PyramidLevel& level,
     walk.expand (q, any);
     const double v = d.dot (t2);
     const double w = g * g;
-    Row row;
-    row << 1.0, u, u * u, v, u * v, v * v, round ? 0.0 : u * v * v;
-    right_side += w * std::max (sign * fit.k1, sign * fit.k2) * row;
-    for (int a = 0; a < TERMS; ++a)
-      for (int b = 0; b <= a; ++b)
-        matrix (a, b) += w * row[a] * row[b];
+    const double row[WIDTH] = {
+        1.0, u, u * u, v, u * v, v * v, round ? 0.0 : u * v * v, 0.0};
+    const double wk = w * std::max (sign * fit.k1, sign * fit.k2);
+    for (int a = 0; a < WIDTH; ++a)
+      sums[a] += wk * row[a];
+    for (int a = 0; a < TERMS; ++a) {
+      const double wa = w * row[a];
+      for (int b = 0; b <= a / 2 * 2 + 1; ++b)
+        products[a][b] += wa * row[b];
+    }
     weight += w;
     variance += w * fit.k1_error * fit.k1_error;
     ++count;
@@ -90,8 +94,14 @@ fitPolynomial (const PyramidLevel& level,
   }
   if (!result.covers (0.0) || count < LEAST_NODES)
     return result;
-  matrix.diagonal().array() += 1e-5 * weight;
-  result.coefficients = SmallCholesky<TERMS> (matrix).solve (right_side);
+  Eigen::Matrix<double, TERMS, TERMS> matrix;
+  for (int a = 0; a < TERMS; ++a) {
+    for (int b = 0; b <= a; ++b)
+      matrix (a, b) = products[a][b];
+    matrix (a, a) += 1e-5 * weight;
+  }
+  result.coefficients = SmallCholesky<TERMS> (matrix).solve (
+      Eigen::Map<const Eigen::Matrix<double, TERMS, 1>> (sums));
   result.window = window;
   result.k1_error = std::sqrt (variance / weight);
   result.valid = result.coefficients.allFinite();
