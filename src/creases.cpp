@@ -6,7 +6,7 @@
 #include "cubic_residual.h"
 #include "large_arrays.h"
 #include "parallel.h"
-#include "plane_samples.h"
+#include "scatter.h"
 
 #include <algorithm>
 #include <array>
@@ -108,19 +108,22 @@ public:
       normal += neighbor.normal;
     CubicResidual smooth (normal.normalized(),
                           neighbors_.empty() ? 1.0 : neighbors_.back().position.norm());
+    Scatter normals;
     std::size_t added = 0;
     for (const int window : WINDOWS) {
       const auto count = static_cast<std::size_t> (window);
       if (count > neighbors_.size())
         break;
-      for (; added < count; ++added)
+      for (; added < count; ++added) {
         smooth.add (neighbors_[added].position);
+        normals.add (neighbors_[added].normal);
+      }
       const double of_cubic = smooth.meanSquare();
       if (count == NOISE_WINDOW)
         noise_ = CERTAIN_NOISE * of_cubic;
       // In the frame of the edge it will be a little different.
       if (of_cubic - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
-        fitWindow (sample, count, of_cubic, best);
+        fitWindow (sample, count, of_cubic, normals, best);
     }
     return best;
   }
@@ -164,9 +167,15 @@ private:
     return std::min ({LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio, by_evidence});
   }
 
-  /** \param[in] of_cubic about the mean squared distance from a cubic */
+  /** \param[in] of_cubic about the mean squared distance from a cubic
+   * \param[in] normals those of the neighbours in the window
+   */
   void
-  fitWindow (index_t sample, std::size_t count, double of_cubic, Crease& best)
+  fitWindow (index_t sample,
+             std::size_t count,
+             double of_cubic,
+             const Scatter& normals,
+             Crease& best)
   {
     std::array<Plane, 2> planes;
     bool convex = true;
@@ -174,7 +183,8 @@ private:
     constexpr double FIRST_ROUND = 6.0;
     const double largest = FIRST_ROUND * largestResidual (count, of_cubic) *
                            static_cast<double> (count - PLANE_PARAMETERS);
-    if (!splitByNormals (count, planes) || !fitPlanes (count, largest, planes, convex))
+    if (!splitByNormals (count, normals, planes) ||
+        !fitPlanes (count, largest, planes, convex))
       return;
     const Vector3d& n = planes[0].normal;
     const Vector3d& m = planes[1].normal;
@@ -242,24 +252,18 @@ private:
    * differ.
    */
   bool
-  splitByNormals (std::size_t count, std::array<Plane, 2>& planes)
+  splitByNormals (std::size_t count,
+                  const Scatter& normals,
+                  std::array<Plane, 2>& planes)
   {
     // Variance: that of normals two degrees to each side.
     constexpr double LEAST_VARIANCE = 1e-3;
-    Vector3d mean = Vector3d::Zero();
-    for (std::size_t i = 0; i < count; ++i)
-      mean += neighbors_[i].normal;
-    mean /= static_cast<double> (count);
+    const Vector3d mean = normals.center();
     // The sum of the variances along all axes.
     if (1.0 - mean.squaredNorm() < LEAST_VARIANCE)
       return false;
-    Matrix3d covariance = Matrix3d::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3d e = neighbors_[i].normal - mean;
-      covariance += e * e.transpose();
-    }
     Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect (covariance);
+    solver.computeDirect (normals.products());
     if (solver.eigenvalues()[2] < LEAST_VARIANCE * static_cast<double> (count))
       return false;
     const Vector3d axis = solver.eigenvectors().col (2);
@@ -286,12 +290,13 @@ private:
     constexpr double LEAST_PART = 0.18;
     constexpr std::size_t LEAST_COUNT = 5;
     for (int round = 0; round < ROUNDS; ++round) {
-      std::array<PlaneSamples, 2> parts;
+      std::array<Scatter, 2> parts;
       for (std::size_t i = 0; i < count; ++i)
         parts[side_[i] > 0 ? 0 : 1].add (neighbors_[i].position);
-      if (round == 0 && parts[0].leastResidual() + parts[1].leastResidual() > largest)
+      if (round == 0 &&
+          parts[0].leastPlaneResidual() + parts[1].leastPlaneResidual() > largest)
         return false;
-      if (!parts[0].fit (planes[0]) || !parts[1].fit (planes[1]))
+      if (!parts[0].fitPlane (planes[0]) || !parts[1].fitPlane (planes[1]))
         return false;
       if (round == 0 && planes[0].residual + planes[1].residual > largest)
         return false;

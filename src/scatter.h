@@ -19,8 +19,8 @@ struct Plane {
   }
 };
 
-/** \brief Samples that a plane is to be fitted to. */
-class PlaneSamples {
+/** \brief How points, or normals, lie around their center. */
+class Scatter {
 public:
   void
   add (const Eigen::Vector3d& p)
@@ -35,14 +35,29 @@ public:
     ++count_;
   }
 
+  Eigen::Vector3d
+  center () const
+  {
+    return sum_ / count_;
+  }
+
+  /** \brief The sum of the products of coordinates from the center. */
+  Eigen::Matrix3d
+  products () const
+  {
+    Eigen::Matrix3d squares;
+    squares << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
+    return squares - sum_ / count_ * sum_.transpose();
+  }
+
   /** \brief What the residual of the best plane is at least, for little time: of the
    * eigenvalues a <= b <= c it is a, and abc / (ab + ac + bc) is less by a part of
    * a / b + a / c.
    */
   double
-  leastResidual () const
+  leastPlaneResidual () const
   {
-    const Eigen::Matrix3d m = scatter();
+    const Eigen::Matrix3d m = products();
     const double minors = m (0, 0) * m (1, 1) - m (0, 1) * m (0, 1) +
                           m (0, 0) * m (2, 2) - m (0, 2) * m (0, 2) +
                           m (1, 1) * m (2, 2) - m (1, 2) * m (1, 2);
@@ -53,16 +68,16 @@ public:
    * whether there is one.
    */
   bool
-  fit (Plane& plane) const
+  fitPlane (Plane& plane) const
   {
     // Part of the variance across of that along: a row of samples is no plane.
     constexpr double LEAST_WIDTH = 0.04;
     constexpr int LEAST_COUNT = 4;
     if (count_ < LEAST_COUNT)
       return false;
-    plane.center = sum_ / count_;
+    plane.center = center();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect (scatter());
+    solver.computeDirect (products());
     if (solver.eigenvalues()[1] < LEAST_WIDTH * solver.eigenvalues()[2])
       return false;
     plane.residual = solver.eigenvalues()[0];
@@ -72,15 +87,6 @@ public:
   }
 
 private:
-  /** \brief The sum of the products of coordinates from the center. */
-  Eigen::Matrix3d
-  scatter () const
-  {
-    Eigen::Matrix3d squares;
-    squares << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
-    return squares - sum_ / count_ * sum_.transpose();
-  }
-
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
   double xx_ = 0.0, xy_ = 0.0, xz_ = 0.0, yy_ = 0.0, yz_ = 0.0, zz_ = 0.0;
   int count_ = 0;
