@@ -12,7 +12,6 @@
 #include "parallel.h"
 
 #include <algorithm>
-#include <exception>
 #include <iterator>
 #include <tuple>
 
@@ -140,26 +139,21 @@ traceTypes (const Parameters& parameters, const Trace& trace, Crests& crests)
 {
   PerType<std::vector<CrestLine>> lines;
   PerType<std::vector<StageTime>> times;
-  PerType<std::exception_ptr> failures;
+  ThreadFailure failure;
   const int threads = std::min (2, threadCount (parameters.threads));
 #pragma omp parallel for schedule(static, 1) num_threads(threads)
   for (int i = 0; i < 2; ++i) {
     const CrestType type = CREST_TYPES[i];
     if (!parameters.wanted[type])
       continue;
-    // No exception may leave a parallel region.
-    try {
+    failure.guard ([&] {
       Stopwatch watch (times[type]);
       lines[type] = trace (type, watch);
       watch.stageDone ("lines");
-    }
-    catch (...) {
-      failures[type] = std::current_exception();
-    }
+    });
   }
+  failure.rethrow();
   for (const CrestType type : CREST_TYPES) {
-    if (failures[type])
-      std::rethrow_exception (failures[type]);
     crests.sizes[type] = lineSizes (lines[type]);
     std::move (
         lines[type].begin(), lines[type].end(), std::back_inserter (crests.lines));

@@ -24,6 +24,7 @@ public:
       places_.push_back (points.positions[graph.packed (v)]);
   }
 
+  /** \brief Whether there is a way between two points that is shorter than a limit. */
   bool
   within (int from, int to, double limit)
   {
@@ -100,6 +101,7 @@ private:
   }
 
   const Forest& graph_;
+  /** side by side, which those of the cloud are not */
   std::vector<Eigen::Vector3f> places_;
   std::vector<double> distance_;
   std::vector<int> reached_;

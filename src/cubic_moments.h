@@ -13,8 +13,8 @@ struct CubicMoments {
   static constexpr int A[TERMS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
   static constexpr int B[TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-  /** of w u^a v^b, a + b up to twice the degree; rows are longer than is needed, so
-   * that several sums are added at once */
+  /** of w u^a v^b, a + b up to twice the degree; each row is filled up to an even
+   * number of sums, two of which are added at once, and not beyond */
   double powers[2 * DEGREE + 1][2 * DEGREE + 2] = {};
   /** of w z u^a v^b */
   double heights[DEGREE + 1][DEGREE + 1] = {};

@@ -5,8 +5,6 @@
 
 #include "parallel.h"
 
-#include <cmath>
-
 namespace pcl {
 namespace crest {
 
@@ -50,9 +48,9 @@ public:
     constexpr int LEAST_PLACES = 4;
     if (count_ < LEAST_PLACES)
       return otherwise;
-    // The first row of the inverse of the normal equations' matrix, by minors.
+    // By the first row of the inverse of the normal equations' matrix, which are minors
+    // but for a factor.
     const double regular = 1e-6 * sum_.w();
-    const double m00 = sum_.w() + regular;
     const double m01 = sum_t_.w();
     const double m02 = sum_t2_.w();
     const double m11 = m02 + regular;
@@ -61,11 +59,8 @@ public:
     const double minor0 = m11 * m22 - m12 * m12;
     const double minor1 = m02 * m12 - m01 * m22;
     const double minor2 = m01 * m12 - m02 * m11;
-    const double determinant = m00 * minor0 + m01 * minor1 + m02 * minor2;
-    Eigen::Vector4d place =
-        (minor0 * sum_ + minor1 * sum_t_ + minor2 * sum_t2_) / determinant;
-    place.w() = 1.0;
-    return place;
+    const Eigen::Vector4d place = minor0 * sum_ + minor1 * sum_t_ + minor2 * sum_t2_;
+    return place / place.w();
   }
 
 private:
@@ -117,14 +112,16 @@ smoothed (const Places& places, const std::vector<double>& radii, bool closed)
   return result;
 }
 
-/** \brief Where the points of a polyline are moved to. */
+/** \brief Where the points of a polyline are moved to.
+ * \param[in] closed whether it is a loop that nothing else meets
+ */
 std::vector<Eigen::Vector3f>
 smoothPlaces (const std::vector<index_t>& polyline,
+              bool closed,
               const std::vector<CrestProfile>& profiles,
               const SurfaceGraph& graph,
               const std::vector<Eigen::Vector3f>& positions)
 {
-  const bool closed = polyline.front() == polyline.back();
   const Eigen::Vector3d origin = positions[polyline[0]].cast<double>();
   Places places;
   std::vector<double> radii;
@@ -160,18 +157,28 @@ smoothLines (const std::vector<CrestLine>& lines,
              unsigned threads,
              OrientedPoints& points)
 {
-  std::vector<const std::vector<index_t>*> polylines;
+  struct Task {
+    const std::vector<index_t>& polyline;
+    bool closed;
+    std::vector<Eigen::Vector3f> places;
+  };
+  std::vector<Task> tasks;
   for (const CrestLine& line : lines)
     for (const std::vector<index_t>& polyline : line.polylines)
-      polylines.push_back (&polyline);
-  const auto count = static_cast<std::ptrdiff_t> (polylines.size());
-  std::vector<std::vector<Eigen::Vector3f>> places (polylines.size());
+      tasks.push_back ({polyline, line.closed, {}});
+  const auto count = static_cast<std::ptrdiff_t> (tasks.size());
+  ThreadFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < count; ++i)
-    places[i] = smoothPlaces (*polylines[i], profiles, graph, points.positions);
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < places[i].size(); ++j)
-      points.positions[(*polylines[i])[j]] = places[i][j];
+    failure.guard ([&] {
+      Task& task = tasks[i];
+      task.places =
+          smoothPlaces (task.polyline, task.closed, profiles, graph, points.positions);
+    });
+  failure.rethrow();
+  for (const Task& task : tasks)
+    for (std::size_t j = 0; j < task.places.size(); ++j)
+      points.positions[task.polyline[j]] = task.places[j];
 }
 
 } // namespace crest

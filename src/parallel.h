@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 
 namespace pcl {
 namespace crest {
@@ -18,6 +19,40 @@ threadCount (unsigned threads)
 {
   return threads == 0 ? omp_get_num_procs() : static_cast<int> (threads);
 }
+
+/** \brief Brings an exception out of a parallel region, which none may leave by itself:
+ * of several the first that was thrown.
+ */
+class ThreadFailure {
+public:
+  /** \brief Calls work, unless some has failed already. */
+  template <typename Work>
+  void
+  guard (const Work& work)
+  {
+    if (failed_)
+      return;
+    try {
+      work();
+    }
+    catch (...) {
+      if (!failed_.exchange (true))
+        failure_ = std::current_exception();
+    }
+  }
+
+  /** \brief To be called when the region has ended. */
+  void
+  rethrow () const
+  {
+    if (failure_)
+      std::rethrow_exception (failure_);
+  }
+
+private:
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;
+};
 
 /** \brief Calls work (block, first, last) for consecutive blocks of [0, size). The
  * blocks do not depend on the number of threads, so that what is summed per block does
@@ -53,11 +88,14 @@ forEachBlock (std::size_t size, const Workers& workers, const Work& work)
   if (threads == 1)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
       workOn (block, true);
-  else
-  // The first of the threads is the one that started the loop.
+  else {
+    ThreadFailure failure;
+    // The first of the threads is the one that started the loop.
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
-      workOn (block, omp_get_thread_num() == 0);
+      failure.guard ([&] { workOn (block, omp_get_thread_num() == 0); });
+    failure.rethrow();
+  }
   if (progress != nullptr)
     progress->check();
 }

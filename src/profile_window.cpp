@@ -34,7 +34,8 @@ fitPolynomial (const PyramidLevel& level,
                NodeWalk& walk)
 {
   constexpr int TERMS = ProfilePolynomial::TERMS;
-  // Padded, so that several products are added at once.
+  // Padded, so that two products are added at once: each row of the lower triangle has
+  // an even number of them.
   constexpr int WIDTH = TERMS + 1;
 
   const ScaleFit& own = fits[node];

@@ -188,11 +188,9 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
   level.positions = copyLarge (points.positions);
   level.normals = copyLarge (points.normals);
   level.weights.assign (points.size(), 1.0F);
+  level.graph = unconnected (graph);
   level.graph.offsets = copyLarge (graph.offsets);
   level.graph.neighbors = copyLarge (graph.neighbors);
-  level.graph.boundary = graph.boundary;
-  level.graph.spacing = graph.spacing;
-  level.graph.mean_spacing = graph.mean_spacing;
   level.node_of.resize (points.size());
   std::iota (level.node_of.begin(), level.node_of.end(), 0);
   return level;

@@ -264,12 +264,19 @@ buildSurfaceGraph (const OrientedPoints& points,
 }
 
 SurfaceGraph
-withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& removed)
+unconnected (const SurfaceGraph& graph)
 {
   SurfaceGraph rest;
   rest.boundary = graph.boundary;
   rest.spacing = graph.spacing;
   rest.mean_spacing = graph.mean_spacing;
+  return rest;
+}
+
+SurfaceGraph
+withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& removed)
+{
+  SurfaceGraph rest = unconnected (graph);
   reserveLarge (rest.offsets, graph.offsets.size());
   reserveLarge (rest.neighbors, graph.neighbors.size());
   rest.offsets.push_back (0);

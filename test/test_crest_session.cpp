@@ -192,23 +192,27 @@ TEST (Thresholds, SliderOfAbsoluteMReachesAsFar)
   auto points = makeCloud();
   for (pcl::PointNormal& point : *points)
     point.getVector3fMap() *= 1e-3F;
-  const auto linesAtEnds = [&points] (bool absolute) {
+  const auto linesAlong = [&points] (bool absolute) {
     Parameters p;
     p.preset = Preset::PAPER;
     p.absolute_maximality = absolute;
     CrestSession session (inputOf (points), p);
-    const Threshold slider = thresholdsOf (session).front();
+    const std::vector<Threshold> sliders = thresholdsOf (session);
     std::vector<std::size_t> lines;
-    for (const double end : {slider.least, slider.most}) {
-      slider.set (p, end);
+    for (const double along : {0.0, 0.3, 0.5, 1.0}) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double ratio = sliders[i].most / sliders[i].least;
+        sliders[i].set (p, sliders[i].least * std::pow (ratio, along));
+      }
       session.setThresholds (p);
-      lines.push_back (session.getStatistics().line_sizes.ridge.size());
+      lines.push_back (session.getLines().size());
     }
     return lines;
   };
-  const std::vector<std::size_t> relative = linesAtEnds (false);
-  EXPECT_EQ (linesAtEnds (true), relative);
-  EXPECT_GT (relative[0], relative[1]);
+  const std::vector<std::size_t> relative = linesAlong (false);
+  EXPECT_EQ (linesAlong (true), relative);
+  EXPECT_NE (relative[1], relative[2]);
+  EXPECT_GT (relative[2], 0U);
 }
 
 TEST (CommandLine, IsReadBackAsItWas)

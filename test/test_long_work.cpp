@@ -166,6 +166,17 @@ TEST (LongWork, StopsWithinALoop)
   }
 }
 
+TEST (LongWork, WhatIsThrownInALoopIsCaughtOutsideIt)
+{
+  const auto work = [] (std::size_t block, std::size_t, std::size_t) {
+    if (block == 3)
+      throw std::bad_alloc();
+  };
+  for (const unsigned threads : {1U, 2U})
+    EXPECT_THROW (forEachBlock (8 * BLOCK_SIZE, Workers (threads, nullptr), work),
+                  std::bad_alloc);
+}
+
 TEST (LongWork, AnalysisGivesWhatStartingAnewGives)
 {
   Parameters parameters = parametersOf (Preset::PAPER);

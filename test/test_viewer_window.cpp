@@ -275,6 +275,8 @@ TEST_F (Window, ExportsTheBoundariesThatItShows)
   EXPECT_EQ (exportBoundaries(), 0);
   press ('5');
   EXPECT_GT (exportBoundaries(), 100);
+  press ('1');
+  EXPECT_EQ (exportBoundaries(), 0);
 }
 
 // What a user did is recorded here, and done again to a window that nobody has touched.
@@ -402,7 +404,7 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
     quit->SetCallback ([] (vtkObject*, unsigned long, void* data, void*) {
       auto* const waiting = static_cast<ViewerWindow*> (data);
       if (waiting->getMessage() ==
-          "endless work ... 50 % (q quits, other keys work when this is done)")
+          "endless work ... 50 % (q quits, h lists the keys for when this is done)")
         waiting->getInteractor()->ExitCallback();
     });
     window->getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);

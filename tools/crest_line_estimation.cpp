@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_crest_line_estimation: labels the crest points of a file and writes its crest
 // lines. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
-// written.
+// written, or there is not enough memory for it.
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/write_labels.h>
 #include <pcl_crest/io/write_lines.h>

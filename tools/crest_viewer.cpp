@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_crest_viewer: shows the crest lines of a file over its points, in a window or as
 // a picture. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
-// written or there is no display.
+// written, there is not enough memory for it, or no display.
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/parse_number.h>
 #include <pcl_crest/visualization/picture.h>
@@ -67,6 +67,8 @@ load (const WindowOptions& window,
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
+  if (!progress ("reading " + input, 1.0))
+    return nullptr;
   if (window.view.color == ColorMode::FILE && cloud.colors.empty()) {
     error = input + ": it has no colors, which -color rgb is to show";
     return nullptr;

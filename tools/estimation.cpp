@@ -20,14 +20,18 @@ estimate (const std::string& file,
   result.estimation.setInputCloud (result.cloud.points);
   result.estimation.setParameters (parameters);
   result.estimation.setProgressCallback (progress);
+  bool enough_memory = true;
   try {
     result.estimation.compute (result.labels);
   }
   catch (const std::bad_alloc&) {
+    enough_memory = false;
+  }
+  result.estimation.setProgressCallback (nullptr);
+  if (!enough_memory) {
     error = notEnoughMemory (file);
     return EXIT_FILE;
   }
-  result.estimation.setProgressCallback (nullptr);
   if (result.labels.size() == result.cloud.points->size())
     return EXIT_DONE;
   error = "the crest lines could not be computed";

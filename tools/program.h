@@ -10,7 +10,7 @@ namespace pcl {
 namespace crest {
 
 /** \brief What programs exit with: done, wrong usage, or a file (or display) that could
- * not be read, written or opened.
+ * not be read, written or opened, or that memory did not suffice for.
  */
 enum ExitCode { EXIT_DONE = 0, EXIT_USAGE = 1, EXIT_FILE = 2 };
 

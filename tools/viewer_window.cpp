@@ -4,8 +4,6 @@
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/visualization/picture.h>
 
-#include <pcl/console/print.h>
-
 #include <vtkCommand.h>
 #include <vtkTextProperty.h>
 
@@ -176,7 +174,7 @@ ViewerWindow::run (const Load& load, std::string& error)
   const auto progress = [this] (const std::string& stage, double done) {
     const std::lock_guard<std::mutex> lock (stage_mutex_);
     stage_ = stage + " ... " + std::to_string (std::lround (100.0 * done)) +
-             " % (q quits, other keys work when this is done)";
+             " % (q quits, h lists the keys for when this is done)";
     return !closed_;
   };
   loading_ = std::async (std::launch::async, [this, load, progress] {
@@ -192,8 +190,6 @@ ViewerWindow::run (const Load& load, std::string& error)
   viewer_->spin();
   if (loading_.valid()) {
     closed_ = true;
-    // That nothing comes of what is cancelled is what the user wants.
-    pcl::console::setVerbosityLevel (pcl::console::L_ERROR);
     window_->Finalize();
     loading_.wait();
     return;
@@ -313,16 +309,15 @@ ViewerWindow::exportFiles()
   if (!shown_.ridge && !shown_.valley)
     return say ("there are no lines to export: ridges and valleys are hidden");
   // What is on the screen has to be in the file.
-  Parameters parameters = session_->getParameters();
-  if (view_.getColorMode() == ColorMode::BOUNDARY && !parameters.boundaries) {
-    parameters.boundaries = true;
-    session_->setThresholds (parameters);
-  }
+  const Parameters asked = session_->getParameters();
+  Parameters shown = asked;
+  shown.boundaries = asked.boundaries || view_.getColorMode() == ColorMode::BOUNDARY;
+  session_->setThresholds (shown);
   const std::string prefix = unusedPrefix (options_.prefix, exportSuffixes());
   std::string error;
-  say (exportSession (*session_, options_.input, prefix, error)
-           ? "exported " + prefix + "_*"
-           : error);
+  const bool exported = exportSession (*session_, options_.input, prefix, error);
+  session_->setThresholds (asked);
+  say (exported ? "exported " + prefix + "_*" : error);
 }
 
 void

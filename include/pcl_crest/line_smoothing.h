@@ -12,10 +12,10 @@ namespace crest {
  *
  * Each point stands where its own profile has its maximum, give or take the error of
  * that; within the radius that a curvature was fitted over a crest cannot turn any
- * faster than a quadratic. Ends of polylines that are shared stay where they are, so
- * that lines still meet, and so do the points of sharp edges, which may bend at once;
- * no point moves by more than two spacings. Each polyline is smoothed as if it were
- * alone; of those through one point the last says where it stands.
+ * faster than a quadratic. Ends of polylines stay where they are, so that lines still
+ * meet, and so do the points of sharp edges, which may bend at once; no point moves by
+ * more than two spacings. Each polyline is smoothed by itself, whichever others there
+ * are.
  *
  * \param[in] lines whose polylines run through the points
  * \param[in] profiles for the radii

@@ -93,6 +93,10 @@ buildSurfaceGraph (const OrientedPoints& points,
                    const Parameters& parameters,
                    Progress* progress = nullptr);
 
+/** \brief All that the graph says of points, without stars. */
+SurfaceGraph
+unconnected (const SurfaceGraph& graph);
+
 /** \brief The graph without the edges of some points, which stay as points alone.
  * \param[in] removed 1 for these, 0 for the others
  */

@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <string>
 #endif
 
 namespace pcl {
@@ -19,11 +20,16 @@ namespace {
 PcdReader
 load ()
 {
+  static const char of_this_library = 0;
   Dl_info here{};
-  const int known = ::dladdr (reinterpret_cast<void*> (&loadPcdModule), &here);
-  const std::filesystem::path folder =
-      known != 0 ? std::filesystem::path (here.dli_fname).parent_path() : ".";
-  const std::string module = (folder / PCL_CREST_PCD_MODULE).string();
+  std::filesystem::path library_file;
+  if (::dladdr (&of_this_library, &here) != 0)
+    library_file = here.dli_fname;
+  // Whatever name it was found by.
+  std::error_code ignored;
+  const std::filesystem::path resolved =
+      std::filesystem::canonical (library_file, ignored);
+  const std::string module = (resolved.parent_path() / PCL_CREST_PCD_MODULE).string();
   // Never closed: libraries of the module do not unload safely.
   void* const library = ::dlopen (module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const reader =
