@@ -95,15 +95,27 @@ vtkSmartPointer<vtkPolyData>
 makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
                   const std::vector<CrestLine>& lines)
 {
+  vtkIdType polylines = 0;
+  vtkIdType places = 0;
+  for (const CrestLine& line : lines)
+    for (const std::vector<index_t>& polyline : line.polylines) {
+      ++polylines;
+      places += static_cast<vtkIdType> (polyline.size());
+    }
   vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints (places);
   vtkNew<vtkCellArray> cells;
+  cells->AllocateExact (polylines, places);
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents (3);
+  vtkIdType place = 0;
   for (const CrestLine& line : lines)
     for (const std::vector<index_t>& polyline : line.polylines) {
       cells->InsertNextCell (static_cast<int> (polyline.size()));
-      for (const index_t index : polyline)
-        cells->InsertCellPoint (points->InsertNextPoint (cloud[index].data));
+      for (const index_t index : polyline) {
+        points->SetPoint (place, cloud[index].data);
+        cells->InsertCellPoint (place++);
+      }
       colors->InsertNextTypedTuple (line.type == CrestType::RIDGE ? BLUE : RED);
     }
   auto data = vtkSmartPointer<vtkPolyData>::New();
