@@ -310,13 +310,18 @@ ViewerWindow::exportFiles()
     return say ("there are no lines to export: ridges and valleys are hidden");
   // What is on the screen has to be in the file.
   const Parameters asked = session_->getParameters();
-  Parameters shown = asked;
-  shown.boundaries = asked.boundaries || view_.getColorMode() == ColorMode::BOUNDARY;
-  session_->setThresholds (shown);
+  const bool adds_boundaries =
+      !asked.boundaries && view_.getColorMode() == ColorMode::BOUNDARY;
+  if (adds_boundaries) {
+    Parameters shown = asked;
+    shown.boundaries = true;
+    session_->setThresholds (shown);
+  }
   const std::string prefix = unusedPrefix (options_.prefix, exportSuffixes());
   std::string error;
   const bool exported = exportSession (*session_, options_.input, prefix, error);
-  session_->setThresholds (asked);
+  if (adds_boundaries)
+    session_->setThresholds (asked);
   say (exported ? "exported " + prefix + "_*" : error);
 }
 
