@@ -296,51 +296,50 @@ traceCrests (const OrientedPoints& points,
             where, shape, evidence, likely_points, type, parameters, lines_watch);
       },
       crests);
-  crests.positions = std::move (where.positions);
+  Stopwatch smoothing_watch (crests.times);
+  crests.places = smoothLines (
+      crests.lines, shape.profiles, shape.graph, where.positions, parameters.threads);
+  measureProfiles (shape.profiles, crests.points, crests.lines);
+  smoothing_watch.stageDone ("smoothing");
   return crests;
 }
 
 Crests
 keepLines (const OrientedPoints& points,
            const SurfaceShape& shape,
-           Crests traced,
+           const Crests& traced,
            const Parameters& parameters)
 {
-  Crests crests = std::move (traced);
-  Stopwatch watch (crests.times);
-  const auto removeIf = [&crests] (const auto& unwanted) {
-    crests.lines.erase (
-        std::remove_if (crests.lines.begin(), crests.lines.end(), unwanted),
-        crests.lines.end());
-  };
-  removeIf (
-      [&parameters] (const CrestLine& line) { return !parameters.wanted[line.type]; });
-  crests.lines = removeSmallLines (std::move (crests.lines),
-                                   {minSize (parameters, CrestType::RIDGE),
-                                    minSize (parameters, CrestType::VALLEY)});
+  Crests crests;
+  crests.points = traced.points;
+  const PerType<int> min_size{minSize (parameters, CrestType::RIDGE),
+                              minSize (parameters, CrestType::VALLEY)};
   for (const CrestType type : CREST_TYPES)
-    if (!parameters.wanted[type])
-      crests.sizes[type].clear();
-
+    if (parameters.wanted[type])
+      crests.sizes[type] = traced.sizes[type];
+  const bool moves =
+      parameters.preset == Preset::AUTO && parameters.positions == Positions::CREST;
   // Lines need no normals to run and to be measured.
   OrientedPoints moved;
-  if (parameters.preset == Preset::AUTO) {
-    moved.positions = std::move (crests.positions);
-    smoothLines (crests.lines, shape.profiles, shape.graph, parameters.threads, moved);
-    measureProfiles (shape.profiles, crests.points, crests.lines);
-    watch.stageDone ("smoothing");
-    if (parameters.positions == Positions::SAMPLES)
-      moved = OrientedPoints();
+  if (moves)
+    moved.positions = points.positions;
+  for (std::size_t i = 0; i < traced.lines.size(); ++i) {
+    const CrestLine& line = traced.lines[i];
+    if (!parameters.wanted[line.type] || isSmall (line, min_size))
+      continue;
+    crests.lines.push_back (line);
+    if (moves)
+      movePoints (line, traced.places[i], moved.positions);
   }
-  const OrientedPoints& where = moved.size() > 0 ? moved : points;
-  measureLines (where, shape.graph, shape.curvature, crests.lines);
-  const std::size_t measured = crests.lines.size();
-  removeIf ([&parameters] (const CrestLine& line) {
-    return line.strength < parameters.min_strength;
-  });
-  // Where the others met one that is gone there is no junction any more.
-  if (crests.lines.size() < measured)
-    measureLines (where, shape.graph, shape.curvature, crests.lines);
+  const OrientedPoints& where = moves ? moved : points;
+  measureLines (where, shape.curvature, parameters.threads, crests.lines);
+  crests.lines.erase (std::remove_if (crests.lines.begin(),
+                                      crests.lines.end(),
+                                      [&parameters] (const CrestLine& line) {
+                                        return line.strength < parameters.min_strength;
+                                      }),
+                      crests.lines.end());
+  classifyEnds (shape.graph, crests.lines);
   crests.positions = std::move (moved.positions);
   return crests;
 }
@@ -351,8 +350,10 @@ extractCrests (const OrientedPoints& points,
                const Parameters& parameters,
                Progress* progress)
 {
-  return keepLines (
-      points, shape, traceCrests (points, shape, parameters, progress), parameters);
+  Crests traced = traceCrests (points, shape, parameters, progress);
+  Crests crests = keepLines (points, shape, traced, parameters);
+  crests.times.insert (crests.times.begin(), traced.times.begin(), traced.times.end());
+  return crests;
 }
 
 std::vector<Label>
@@ -374,16 +375,19 @@ labelPoints (const SurfaceShape& shape,
       for (const index_t p : polyline)
         labels[p] =
             line->type == CrestType::RIDGE ? LABEL_RIDGE_GROWN : LABEL_VALLEY_GROWN;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const CrestType type = crests.points[i];
-    if (!shape.curvature[i].valid)
-      labels[i] = LABEL_INVALID;
-    else if (type != CrestType::NONE && parameters.wanted[type])
-      labels[i] = type == CrestType::RIDGE ? LABEL_RIDGE : LABEL_VALLEY;
-    else if (labels[i] == LABEL_NONE && parameters.boundaries &&
-             shape.graph.boundary[i] != 0)
-      labels[i] = LABEL_BOUNDARY;
-  }
+  const auto labelBlock = [&] (std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const CrestType type = crests.points[i];
+      if (!shape.curvature[i].valid)
+        labels[i] = LABEL_INVALID;
+      else if (type != CrestType::NONE && parameters.wanted[type])
+        labels[i] = type == CrestType::RIDGE ? LABEL_RIDGE : LABEL_VALLEY;
+      else if (labels[i] == LABEL_NONE && parameters.boundaries &&
+               shape.graph.boundary[i] != 0)
+        labels[i] = LABEL_BOUNDARY;
+    }
+  };
+  forEachBlock (labels.size(), parameters.threads, labelBlock);
   return labels;
 }
 

@@ -140,18 +140,5 @@ lineSizes (const std::vector<CrestLine>& lines)
   return sizes;
 }
 
-std::vector<CrestLine>
-removeSmallLines (std::vector<CrestLine> lines, const PerType<int>& min_size)
-{
-  lines.erase (std::remove_if (lines.begin(),
-                               lines.end(),
-                               [&] (const CrestLine& line) {
-                                 return line.size <
-                                        static_cast<std::size_t> (min_size[line.type]);
-                               }),
-               lines.end());
-  return lines;
-}
-
 } // namespace crest
 } // namespace pcl

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/line_measures.h>
 
-#include "forest.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,36 @@ countVisits (std::size_t size, const std::vector<CrestLine>& lines)
 
 void
 measureLines (const OrientedPoints& points,
-              const SurfaceGraph& graph,
               const std::vector<PrincipalCurvature>& curvature,
+              unsigned threads,
               std::vector<CrestLine>& lines)
+{
+  const auto measure = [&] (CrestLine& line) {
+    line.length = 0.0;
+    line.strength = 0.0;
+    for (const std::vector<index_t>& polyline : line.polylines) {
+      double of_polyline = 0.0;
+      for (std::size_t i = 1; i < polyline.size(); ++i) {
+        const index_t p = polyline[i - 1];
+        const index_t q = polyline[i];
+        const double length = points.edge (p, q).norm();
+        of_polyline += length;
+        line.strength +=
+            0.5 * length * (std::abs (curvature[p].k1) + std::abs (curvature[q].k1));
+      }
+      line.length += of_polyline;
+    }
+    line.mean_curvature = line.length > 0.0 ? line.strength / line.length : 0.0;
+  };
+  const auto count = static_cast<std::ptrdiff_t> (lines.size());
+  // A few lines of thousands may be most of the work.
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threadCount(threads))
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    measure (lines[i]);
+}
+
+void
+classifyEnds (const SurfaceGraph& graph, std::vector<CrestLine>& lines)
 {
   // A line may end in a corner of lines of the other type.
   const std::vector<int> visits = countVisits (graph.size(), lines);
@@ -51,22 +78,10 @@ measureLines (const OrientedPoints& points,
     return nearBoundary (graph, point) ? LineEnd::BOUNDARY : LineEnd::FREE;
   };
   for (CrestLine& line : lines) {
-    line.length = 0.0;
-    line.strength = 0.0;
     line.ends.clear();
-    for (const std::vector<index_t>& polyline : line.polylines) {
-      line.length += polylineLength (points, polyline);
-      for (std::size_t i = 1; i < polyline.size(); ++i) {
-        const index_t p = polyline[i - 1];
-        const index_t q = polyline[i];
-        const double length = points.edge (p, q).norm();
-        line.strength +=
-            0.5 * length * (std::abs (curvature[p].k1) + std::abs (curvature[q].k1));
-      }
+    for (const std::vector<index_t>& polyline : line.polylines)
       line.ends.push_back (
           {endAt (line, polyline.front()), endAt (line, polyline.back())});
-    }
-    line.mean_curvature = line.length > 0.0 ? line.strength / line.length : 0.0;
   }
 }
 

@@ -150,35 +150,46 @@ smoothPlaces (const std::vector<index_t>& polyline,
 
 } // namespace
 
-void
+std::vector<LinePlaces>
 smoothLines (const std::vector<CrestLine>& lines,
              const std::vector<CrestProfile>& profiles,
              const SurfaceGraph& graph,
-             unsigned threads,
-             OrientedPoints& points)
+             const std::vector<Eigen::Vector3f>& positions,
+             unsigned threads)
 {
   struct Task {
     const std::vector<index_t>& polyline;
     bool closed;
-    std::vector<Eigen::Vector3f> places;
+    std::vector<Eigen::Vector3f>& places;
   };
-  std::vector<Task> tasks;
+  std::vector<LinePlaces> places;
   for (const CrestLine& line : lines)
-    for (const std::vector<index_t>& polyline : line.polylines)
-      tasks.push_back ({polyline, line.closed, {}});
+    places.emplace_back (line.polylines.size());
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t j = 0; j < places[i].size(); ++j)
+      tasks.push_back ({lines[i].polylines[j], lines[i].closed, places[i][j]});
   const auto count = static_cast<std::ptrdiff_t> (tasks.size());
   ThreadFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < count; ++i)
     failure.guard ([&] {
-      Task& task = tasks[i];
+      const Task& task = tasks[i];
       task.places =
-          smoothPlaces (task.polyline, task.closed, profiles, graph, points.positions);
+          smoothPlaces (task.polyline, task.closed, profiles, graph, positions);
     });
   failure.rethrow();
-  for (const Task& task : tasks)
-    for (std::size_t j = 0; j < task.places.size(); ++j)
-      points.positions[task.polyline[j]] = task.places[j];
+  return places;
+}
+
+void
+movePoints (const CrestLine& line,
+            const LinePlaces& places,
+            std::vector<Eigen::Vector3f>& positions)
+{
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < places[i].size(); ++j)
+      positions[line.polylines[i][j]] = places[i][j];
 }
 
 } // namespace crest

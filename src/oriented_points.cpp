@@ -203,21 +203,29 @@ packOrientedPoints (const PointView& cloud, const Workers& workers)
 }
 
 std::uint64_t
-fingerprint (const PointView& cloud)
+fingerprint (const PointView& cloud, const Workers& workers)
 {
   // The steps of FNV-1a (Fowler, Noll and Vo), over words in the place of bytes.
   constexpr std::uint64_t PRIME = 0x100000001b3ULL;
-  std::uint64_t hash = 0xcbf29ce484222325ULL ^ cloud.size;
-  const auto add = [&hash] (const float* three) {
+  constexpr std::uint64_t OFFSET = 0xcbf29ce484222325ULL;
+  const auto add = [] (std::uint64_t& hash, const float* three) {
     std::array<std::uint32_t, 3> bits{};
     std::memcpy (bits.data(), three, sizeof (bits));
     hash = (hash ^ (bits[0] | static_cast<std::uint64_t> (bits[1]) << 32)) * PRIME;
     hash = (hash ^ hash >> 29 ^ bits[2]) * PRIME;
   };
-  for (std::size_t i = 0; i < cloud.size; ++i) {
-    add (cloud.position + i * cloud.stride);
-    add (cloud.normal + i * cloud.stride);
-  }
+  std::vector<std::uint64_t> of_blocks (blockCount (cloud.size), OFFSET);
+  forEachBlock (cloud.size,
+                workers,
+                [&] (std::size_t block, std::size_t first, std::size_t last) {
+                  for (std::size_t i = first; i < last; ++i) {
+                    add (of_blocks[block], cloud.position + i * cloud.stride);
+                    add (of_blocks[block], cloud.normal + i * cloud.stride);
+                  }
+                });
+  std::uint64_t hash = OFFSET ^ cloud.size;
+  for (const std::uint64_t of_block : of_blocks)
+    hash = (hash ^ hash >> 29 ^ of_block) * PRIME;
   return hash;
 }
 

@@ -145,7 +145,12 @@ TEST (Lines, SizesAreCountedAndSmallLinesRemoved)
   for (std::size_t i = 0; i < 5; ++i)
     lines[i].size = sizes[i];
   EXPECT_EQ (lineSizes (lines), (LineSizes{{9, 1}, {10, 1}, {12, 2}, {30, 1}}));
-  EXPECT_EQ (removeSmallLines (lines, {10, 10}).size(), 4U);
-  EXPECT_EQ (removeSmallLines (lines, {11, 11}).size(), 3U);
-  EXPECT_EQ (removeSmallLines (lines, {0, 0}).size(), 5U);
+  const auto small = [&] (int min_size) {
+    return std::count_if (lines.begin(), lines.end(), [&] (const CrestLine& line) {
+      return isSmall (line, {min_size, min_size});
+    });
+  };
+  EXPECT_EQ (small (10), 1);
+  EXPECT_EQ (small (11), 2);
+  EXPECT_EQ (small (0), 0);
 }

@@ -180,7 +180,7 @@ TEST (CrestSession, RepeatsNoMoreThanNeeded)
   CrestSession session (inputOf (makeCloud()), p);
   p.min_size = {30, 30};
   session.setThresholds (p);
-  EXPECT_EQ (stages (session), (std::vector<std::string>{"smoothing"}));
+  EXPECT_TRUE (stages (session).empty());
   p.angle = 30.0;
   session.setThresholds (p);
   EXPECT_EQ (stages (session).front(), "crest points");

@@ -57,7 +57,10 @@ struct Net {
   void
   smooth (unsigned threads = 1)
   {
-    smoothLines (lines, profiles, graph, threads, points);
+    const std::vector<LinePlaces> places =
+        smoothLines (lines, profiles, graph, points.positions, threads);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      movePoints (lines[i], places[i], points.positions);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <pcl_crest/crease_lines.h>
 #include <pcl_crest/crest_lines.h>
+#include <pcl_crest/line_smoothing.h>
 #include <pcl_crest/stopwatch.h>
 
 namespace pcl {
@@ -30,8 +31,12 @@ struct Crests {
   std::vector<CrestType> points;
   /** the lines that are kept: ridges first, of each type the largest first */
   std::vector<CrestLine> lines;
-  /** for each packed point where the lines through it run; empty if through the points
+  /** where each of the lines that traceCrests found runs; empty if through the points
    * themselves
+   */
+  std::vector<LinePlaces> places;
+  /** for each packed point where the lines that keepLines kept run through it; empty if
+   * through the points themselves
    */
   std::vector<Eigen::Vector3f> positions;
   /** the distribution before small lines were removed (4.7), for the types wanted */
@@ -55,8 +60,8 @@ analyzeSurface (const OrientedPoints& points,
                 const Parameters& parameters,
                 Progress* progress = nullptr);
 
-/** \brief Sections 4.3 to 4.6, and all lines of 4.7, still unmeasured: their positions
- * are those of single crest points. min_size and min_strength are not used.
+/** \brief Sections 4.3 to 4.6, and all lines of 4.7, whose length and strength are not
+ * measured yet. min_size, min_strength and positions are not used.
  */
 Crests
 traceCrests (const OrientedPoints& points,
@@ -65,14 +70,14 @@ traceCrests (const OrientedPoints& points,
              Progress* progress = nullptr);
 
 /** \brief The rest of section 4.7: keeps the lines of the wanted types that have
- * min_size points, smooths and measures them, and removes those below min_strength.
+ * min_size points, measures them, and removes those below min_strength.
  * \param[in] traced by traceCrests with these parameters but for the three above, of
  * at least the wanted types
  */
 Crests
 keepLines (const OrientedPoints& points,
            const SurfaceShape& shape,
-           Crests traced,
+           const Crests& traced,
            const Parameters& parameters);
 
 /** \brief Sections 4.3 to 4.7: both of these. */
@@ -84,7 +89,7 @@ extractCrests (const OrientedPoints& points,
 
 /** \brief The label of each packed point. A point joined by growth that lies on lines
  * of both types belongs to the larger one, of equals to the longer.
- * \param[in] parameters wanted and boundaries are used
+ * \param[in] parameters wanted, boundaries and threads are used
  */
 std::vector<Label>
 labelPoints (const SurfaceShape& shape,

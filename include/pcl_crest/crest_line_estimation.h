@@ -311,7 +311,7 @@ public:
   const pcl::PointCloud<pcl::PrincipalCurvatures>&
   getPrincipalCurvatures () const
   {
-    return result_.curvatures;
+    return *result_.curvatures;
   }
 
   /** \brief What the last compute found out beside its outputs. */
@@ -335,6 +335,7 @@ protected:
   using Feature<PointInT, PointOutT>::getClassName;
   using Feature<PointInT, PointOutT>::input_;
   using Feature<PointInT, PointOutT>::indices_;
+  using Feature<PointInT, PointOutT>::fake_indices_;
   using Feature<PointInT, PointOutT>::surface_;
   using Feature<PointInT, PointOutT>::fake_surface_;
   using Feature<PointInT, PointOutT>::tree_;
@@ -353,13 +354,21 @@ private:
     bool complete = false;
     std::vector<crest::CrestLine> lines;
     typename PointCloudIn::ConstPtr line_cloud;
-    pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
+    pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr curvatures =
+        pcl::make_shared<pcl::PointCloud<pcl::PrincipalCurvatures>>();
     Statistics statistics;
     std::shared_ptr<const crest::SurfaceAnalysis> analysis;
   };
 
   void
   computeFeature (PointCloudOut& output) override;
+
+  /** \brief Whether the indices are all points of the surface, in its order. */
+  bool
+  isInputSurface () const
+  {
+    return surface_ == input_ && fake_indices_;
+  }
 
   /** \brief The packed points of the indices; false, with an error, if one is not a
    * point of the surface. */
@@ -377,10 +386,9 @@ private:
   extract (crest::Progress& progress, PointCloudOut& output);
 
   void
-  writeOutput (const pcl::Indices& packed_indices,
+  writeLabels (const pcl::Indices& packed_indices,
                const std::vector<crest::Label>& labels,
-               const std::vector<crest::PrincipalCurvature>& curvature,
-               PointCloudOut& output);
+               PointCloudOut& output) const;
 
   /** \brief Whether the user's search method can take the surface; gives it over. */
   bool
@@ -389,6 +397,9 @@ private:
   /** \brief How the stages see a cloud of PCL. */
   static crest::PointView
   viewOf (const PointCloudIn& cloud);
+
+  std::uint64_t
+  fingerprint (const PointCloudIn& cloud) const;
 
   crest::Parameters parameters_;
   crest::ProgressCallback progress_callback_;

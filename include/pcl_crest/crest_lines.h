@@ -90,9 +90,12 @@ traceLines (const OrientedPoints& points,
 LineSizes
 lineSizes (const std::vector<CrestLine>& lines);
 
-/** \brief Removes the lines of fewer than min_size points (section 4.7). */
-std::vector<CrestLine>
-removeSmallLines (std::vector<CrestLine> lines, const PerType<int>& min_size);
+/** \brief Whether a line has fewer than min_size points (section 4.7). */
+inline bool
+isSmall (const CrestLine& line, const PerType<int>& min_size)
+{
+  return line.size < static_cast<std::size_t> (min_size[line.type]);
+}
 
 } // namespace crest
 } // namespace pcl

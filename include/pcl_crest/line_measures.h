@@ -7,14 +7,20 @@
 namespace pcl {
 namespace crest {
 
-/** \brief Fills in length, strength, mean curvature and the kinds of ends of lines. An
- * end is at the boundary if its point or a neighbour of that is a boundary point.
+/** \brief Fills in length, strength and mean curvature of lines.
+ * \param[in] threads how many, 0 for all processors
  */
 void
 measureLines (const OrientedPoints& points,
-              const SurfaceGraph& graph,
               const std::vector<PrincipalCurvature>& curvature,
+              unsigned threads,
               std::vector<CrestLine>& lines);
+
+/** \brief Fills in the kinds of ends of lines, given all lines that are kept. An end is
+ * at the boundary if its point or a neighbour of that is a boundary point.
+ */
+void
+classifyEnds (const SurfaceGraph& graph, std::vector<CrestLine>& lines);
 
 /** \brief Fills in what profiles tell: turning angle and scale. */
 void

@@ -7,8 +7,11 @@
 namespace pcl {
 namespace crest {
 
-/** \brief Replaces the points of each polyline by what quadratics in the arc length,
- * fitted to the points within one radius to both sides, say of their places.
+/** \brief Where each polyline of a line runs, point by point. */
+using LinePlaces = std::vector<std::vector<Eigen::Vector3f>>;
+
+/** \brief Where lines run: the places that quadratics in the arc length, fitted to the
+ * points within one radius to both sides, give the points of each polyline.
  *
  * Each point stands where its own profile has its maximum, give or take the error of
  * that; within the radius that a curvature was fitted over a crest cannot turn any
@@ -20,15 +23,23 @@ namespace crest {
  * \param[in] lines whose polylines run through the points
  * \param[in] profiles for the radii
  * \param[in] graph for the spacing
+ * \param[in] positions where each point's own profile has its crest
  * \param[in] threads how many, 0 for all processors
- * \param[in,out] points where the lines run
  */
-void
+std::vector<LinePlaces>
 smoothLines (const std::vector<CrestLine>& lines,
              const std::vector<CrestProfile>& profiles,
              const SurfaceGraph& graph,
-             unsigned threads,
-             OrientedPoints& points);
+             const std::vector<Eigen::Vector3f>& positions,
+             unsigned threads = 1);
+
+/** \brief Enters where a line runs.
+ * \param[in,out] positions those of all points
+ */
+void
+movePoints (const CrestLine& line,
+            const LinePlaces& places,
+            std::vector<Eigen::Vector3f>& positions);
 
 } // namespace crest
 } // namespace pcl

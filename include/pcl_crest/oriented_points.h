@@ -77,9 +77,10 @@ packOrientedPoints (const PointView& cloud, const Workers& workers = 1);
 
 /** \brief A number that differs, for all that is likely, where a position or a normal
  * of two clouds does.
+ * \param[in] workers as above
  */
 std::uint64_t
-fingerprint (const PointView& cloud);
+fingerprint (const PointView& cloud, const Workers& workers = 1);
 
 /** \brief Finds points of another cloud among those that a surface was packed from, by
  * their exact positions.

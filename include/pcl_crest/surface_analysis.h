@@ -4,6 +4,9 @@
 
 #include <pcl_crest/crest_extraction.h>
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <memory>
 
 namespace pcl {
@@ -19,6 +22,9 @@ struct SurfaceAnalysis {
   std::shared_ptr<const SurfaceShape> shape;
   /** all lines of both types */
   std::shared_ptr<const Crests> traced;
+  /** those of the cloud's points, in its order; null where it was computed for others
+   */
+  pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr curvatures;
   /** that it was made with */
   Parameters parameters;
 };

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
@@ -102,8 +103,10 @@ makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
       ++polylines;
       places += static_cast<vtkIdType> (polyline.size());
     }
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints (places);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents (3);
+  coordinates->SetNumberOfTuples (places);
+  float* next = coordinates->GetPointer (0);
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact (polylines, places);
   vtkNew<vtkUnsignedCharArray> colors;
@@ -113,11 +116,13 @@ makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
     for (const std::vector<index_t>& polyline : line.polylines) {
       cells->InsertNextCell (static_cast<int> (polyline.size()));
       for (const index_t index : polyline) {
-        points->SetPoint (place, cloud[index].data);
+        next = std::copy_n (cloud[index].data, 3, next);
         cells->InsertCellPoint (place++);
       }
       colors->InsertNextTypedTuple (line.type == CrestType::RIDGE ? BLUE : RED);
     }
+  vtkNew<vtkPoints> points;
+  points->SetData (coordinates);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints (points);
   data->SetLines (cells);

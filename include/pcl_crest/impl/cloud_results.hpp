@@ -9,6 +9,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -30,6 +31,34 @@ curvatureAt (const std::vector<PrincipalCurvature>& curvature, index_t packed)
     return {nan, nan, nan, nan, nan};
   const PrincipalCurvature& c = curvature[packed];
   return {c.t1.x(), c.t1.y(), c.t1.z(), c.k1, c.k2};
+}
+
+/** \brief Whether points of the same places in two clouds belong together. */
+template <typename PointA, typename PointB>
+bool
+haveSameLayout (const pcl::PointCloud<PointA>& a, const pcl::PointCloud<PointB>& b)
+{
+  return a.header == b.header && a.width == b.width && a.height == b.height;
+}
+
+/** \brief The curvatures of packed points, laid out as another cloud of theirs is. */
+template <typename PointT>
+pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr
+curvaturesOf (const pcl::Indices& packed_indices,
+              const std::vector<PrincipalCurvature>& curvature,
+              const pcl::PointCloud<PointT>& layout)
+{
+  auto curvatures = pcl::make_shared<pcl::PointCloud<pcl::PrincipalCurvatures>>();
+  curvatures->reserve (packed_indices.size());
+  for (const index_t packed : packed_indices) {
+    curvatures->push_back (curvatureAt (curvature, packed));
+    if (std::isnan (curvatures->back().pc1))
+      curvatures->is_dense = false;
+  }
+  curvatures->header = layout.header;
+  curvatures->width = layout.width;
+  curvatures->height = layout.height;
+  return curvatures;
 }
 
 /** \brief Lines with indices into the cloud. */

@@ -62,7 +62,7 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
     if (!other.empty())
       return refuse ("The analysis that is set was made with " + other +
                      ": call setAnalysis (nullptr), or set what it was made with");
-    if (analysis_->cloud != crest::fingerprint (viewOf (*surface_)))
+    if (analysis_->cloud != fingerprint (*surface_))
       return refuse ("The analysis that is set is that of another cloud: call "
                      "setAnalysis (nullptr) when the cloud has changed");
     return true;
@@ -102,6 +102,13 @@ CrestLineEstimation<PointInT, PointOutT>::viewOf (const PointCloudIn& cloud)
 {
   const PointInT& first = cloud.front();
   return {&first.x, &first.normal_x, sizeof (PointInT) / sizeof (float), cloud.size()};
+}
+
+template <typename PointInT, typename PointOutT>
+std::uint64_t
+CrestLineEstimation<PointInT, PointOutT>::fingerprint (const PointCloudIn& cloud) const
+{
+  return crest::fingerprint (viewOf (cloud), parameters_.threads);
 }
 
 template <typename PointInT, typename PointOutT>
@@ -176,9 +183,11 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   else
     points = std::make_shared<const crest::OrientedPoints> (
         crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
-  pcl::Indices packed_indices;
-  if (!locateInput (*points, packed_indices))
+  pcl::Indices located;
+  if (!isInputSurface() && !locateInput (*points, located))
     return false;
+  const pcl::Indices& packed_indices =
+      isInputSurface() ? points->packed_index : located;
   if (!analysis_)
     watch.stageDone ("packing");
   std::shared_ptr<crest::SurfaceShape> analyzed;
@@ -201,24 +210,13 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
         crest::traceCrests (*points, *shape, of_both, &progress));
     times.insert (times.end(), traced->times.begin(), traced->times.end());
   }
-  if (traced) {
-    crests = *traced;
-    crests.times.clear();
-    crests = crest::keepLines (*points, *shape, std::move (crests), parameters);
-  }
+  if (traced)
+    crests = crest::keepLines (*points, *shape, *traced, parameters);
   else
     crests = crest::extractCrests (*points, *shape, parameters, &progress);
   times.insert (times.end(), crests.times.begin(), crests.times.end());
   const std::vector<crest::Label> labels =
       crest::labelPoints (*shape, crests, parameters);
-  if (keep_analysis_)
-    result_.analysis =
-        std::make_shared<const crest::SurfaceAnalysis> (crest::SurfaceAnalysis{
-            analysis_ ? analysis_->cloud : crest::fingerprint (viewOf (*surface_)),
-            points,
-            shape,
-            traced,
-            parameters});
   result_.statistics = {
       shape->graph.mean_spacing, points->extent, std::move (crests.sizes), times};
   if (analyzed && !keep_analysis_) {
@@ -227,7 +225,20 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
     analyzed->maximality = std::vector<double>();
     analyzed->profiles = std::vector<crest::CrestProfile>();
   }
-  writeOutput (packed_indices, labels, shape->curvature, output);
+  writeLabels (packed_indices, labels, output);
+  const bool known = analysis_ && analysis_->curvatures && isInputSurface() &&
+                     crest::haveSameLayout (*analysis_->curvatures, output);
+  result_.curvatures =
+      known ? analysis_->curvatures
+            : crest::curvaturesOf (packed_indices, shape->curvature, output);
+  if (keep_analysis_)
+    result_.analysis = std::make_shared<const crest::SurfaceAnalysis> (
+        crest::SurfaceAnalysis{analysis_ ? analysis_->cloud : fingerprint (*surface_),
+                               points,
+                               shape,
+                               traced,
+                               isInputSurface() ? result_.curvatures : nullptr,
+                               parameters});
   result_.lines = crest::linesOfCloud (*points, std::move (crests.lines));
   result_.line_cloud = surface_;
   if (!crests.positions.empty())
@@ -238,24 +249,15 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
 
 template <typename PointInT, typename PointOutT>
 void
-CrestLineEstimation<PointInT, PointOutT>::writeOutput (
+CrestLineEstimation<PointInT, PointOutT>::writeLabels (
     const pcl::Indices& packed_indices,
     const std::vector<crest::Label>& labels,
-    const std::vector<crest::PrincipalCurvature>& curvature,
-    PointCloudOut& output)
+    PointCloudOut& output) const
 {
-  pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures = result_.curvatures;
-  curvatures.header = output.header;
-  curvatures.reserve (packed_indices.size());
   for (std::size_t i = 0; i < packed_indices.size(); ++i) {
     pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
     output[i].label = crest::labelAt (labels, packed_indices[i]);
-    curvatures.push_back (crest::curvatureAt (curvature, packed_indices[i]));
-    if (output[i].label == crest::LABEL_INVALID)
-      curvatures.is_dense = false;
   }
-  curvatures.width = output.width;
-  curvatures.height = output.height;
 }
 
 template <typename PointInT, typename PointOutT>
