@@ -2,7 +2,10 @@
 #include "normal_estimation.h"
 
 #include <pcl/common/point_tests.h>
-#include <pcl/features/normal_3d_omp.h>
+
+#include <Eigen/Geometry>
+
+#include "load_modules.h"
 
 #include <algorithm>
 #include <numeric>
@@ -86,11 +89,8 @@ estimateNormals (FileContent& content, int k, unsigned threads)
                                         Eigen::Vector3f::Zero());
   Orientation orientation;
   if (!normals.empty()) {
-    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation (threads);
-    estimation.setInputCloud (samples.points);
-    estimation.setKSearch (k);
     pcl::PointCloud<pcl::Normal> estimated;
-    estimation.compute (estimated);
+    loadNormalEstimator() (samples.points, k, threads, estimated);
     for (std::size_t i = 0; i < estimated.size(); ++i)
       if (pcl::isNormalFinite (estimated[i]))
         normals[i] = estimated[i].getNormalVector3fMap().stableNormalized();

@@ -2,7 +2,7 @@
 // PCD through PCL's reader, once its header is known to be true to the file:
 // PCL makes room for as many points as the header announces.
 #include "file_content.h"
-#include "load_pcd_module.h"
+#include "load_modules.h"
 #include "number_type.h"
 
 #include <array>
@@ -204,7 +204,7 @@ readPcd (const std::string& file, const std::string& text)
   pcl::PCLPointCloud2 data;
   Eigen::Vector4f origin;
   Eigen::Quaternionf orientation;
-  if (!loadPcdModule() (file.c_str(), data, origin, orientation))
+  if (!loadPcdReader() (file.c_str(), data, origin, orientation))
     throw ReadError ("its data are not as its header says");
 
   constexpr std::array<const char*, 6> NAMES{

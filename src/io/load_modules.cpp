@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "load_modules.h"
+
+#include "text_scanner.h"
+
+#ifdef PCL_CREST_MODULE_PREFIX
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <string>
+#endif
+
+namespace pcl {
+namespace crest {
+
+#ifdef PCL_CREST_MODULE_PREFIX
+
+namespace {
+
+template <typename Function>
+Function
+load (const std::string& module_name, const char* function_name)
+{
+  static const char of_this_library = 0;
+  Dl_info here{};
+  std::filesystem::path library_file;
+  if (::dladdr (&of_this_library, &here) != 0)
+    library_file = here.dli_fname;
+  // Whatever name it was found by.
+  std::error_code ignored;
+  const std::filesystem::path resolved =
+      std::filesystem::canonical (library_file, ignored);
+  const std::string module =
+      (resolved.parent_path() /
+       (PCL_CREST_MODULE_PREFIX + module_name + PCL_CREST_MODULE_SUFFIX))
+          .string();
+  // Never closed: libraries of the module do not unload safely.
+  void* const library = ::dlopen (module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const function =
+      library != nullptr ? ::dlsym (library, function_name) : nullptr;
+  if (function == nullptr)
+    throw ReadError ("PCL's part in reading it could not be loaded from " + module +
+                     ": " + ::dlerror());
+  return reinterpret_cast<Function> (function);
+}
+
+} // namespace
+
+PcdReader
+loadPcdReader ()
+{
+  static const auto reader = load<PcdReader> ("pcl_crest_pcd", "pcl_crest_read_pcd");
+  return reader;
+}
+
+NormalEstimator
+loadNormalEstimator ()
+{
+  static const auto estimator =
+      load<NormalEstimator> ("pcl_crest_normals", "pcl_crest_estimate_normals");
+  return estimator;
+}
+
+#else
+
+PcdReader
+loadPcdReader ()
+{
+  return &pcl_crest_read_pcd;
+}
+
+NormalEstimator
+loadNormalEstimator ()
+{
+  return &pcl_crest_estimate_normals;
+}
+
+#endif
+
+} // namespace crest
+} // namespace pcl
