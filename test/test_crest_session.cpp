@@ -215,6 +215,24 @@ TEST (Thresholds, SliderOfAbsoluteMReachesAsFar)
   EXPECT_GT (relative[2], 0U);
 }
 
+// One number cannot tell of two thresholds, nor may it take the place of both.
+TEST (Thresholds, EachSHasASliderWhereTheyDiffer)
+{
+  Parameters p;
+  p.preset = Preset::PAPER;
+  p.min_size = {5, 60};
+  const CrestSession session (inputOf (makeCloud()), p);
+  std::vector<int> sizes;
+  for (const Threshold& threshold : thresholdsOf (session))
+    if (threshold.only_filters) {
+      sizes.push_back (static_cast<int> (threshold.get (p)));
+      takeSliderPlace (threshold, threshold.get (p) + 1.0, p);
+    }
+  EXPECT_EQ (sizes, (std::vector<int>{5, 60}));
+  EXPECT_EQ (p.min_size.ridge, 6);
+  EXPECT_EQ (p.min_size.valley, 61);
+}
+
 TEST (CommandLine, IsReadBackAsItWas)
 {
   std::vector<Parameters> cases (4);

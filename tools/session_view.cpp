@@ -30,6 +30,7 @@ SessionView::SessionView (const ViewOptions& options)
   bar_->DrawBackgroundOn();
   bar_->GetBackgroundProperty()->SetColor (
       background.x(), background.y(), background.z());
+  bar_->GetBackgroundProperty()->SetOpacity (0.6);
   bar_->SetVerticalTitleSeparation (8);
   bar_->SetLabelFormat ("%-.3g");
   Eigen::Vector3d ink = inkOn (background);
@@ -41,7 +42,7 @@ SessionView::SessionView (const ViewOptions& options)
     property->ItalicOff();
     property->ShadowOff();
     property->SetBackgroundColor (background.x(), background.y(), background.z());
-    property->SetBackgroundOpacity (1.0);
+    property->SetBackgroundOpacity (0.6);
   }
   bar_->VisibilityOff();
   scene_.getRenderer()->AddActor (bar_);

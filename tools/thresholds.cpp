@@ -36,6 +36,22 @@ maximality (const std::string& title, CrestType type, double unit)
 }
 
 Threshold
+leastSize (const std::string& title, const std::vector<CrestType>& types)
+{
+  const CrestType shown = types.front();
+  return {title,
+          0.0,
+          100.0,
+          false,
+          true,
+          [shown] (const Parameters& p) { return minSize (p, shown); },
+          [types] (Parameters& p, double value) {
+            for (const CrestType type : types)
+              p.min_size[type] = static_cast<int> (std::lround (value));
+          }};
+}
+
+Threshold
 plain (const std::string& title,
        double most,
        bool only_filters,
@@ -55,14 +71,15 @@ plain (const std::string& title,
 std::vector<Threshold>
 thresholdsOf (const CrestSession& session)
 {
-  const Preset preset = session.getParameters().preset;
+  const Parameters parameters = session.getParameters();
+  const Preset preset = parameters.preset;
   double strongest = 0.0;
   for (const CrestLine& line : session.getLines())
     strongest = std::max (strongest, line.strength);
   // M = 1 in the unit that it is given in.
   Parameters one;
   one.maximality = {1.0, 1.0};
-  const double unit = session.getParameters().absolute_maximality
+  const double unit = parameters.absolute_maximality
                           ? absoluteMaximality (session.getPoints(), one).ridge
                           : 1.0;
   std::vector<Threshold> thresholds;
@@ -74,17 +91,13 @@ thresholdsOf (const CrestSession& session)
         plain ("angle [degrees]", 90.0, false, &Parameters::angle),
         plain ("least length [spacings]", 50.0, false, &Parameters::min_length),
         plain ("confidence", 10.0, false, &Parameters::confidence)};
-  thresholds.push_back (
-      {"S [points]",
-       0.0,
-       100.0,
-       false,
-       true,
-       [] (const Parameters& p) { return minSize (p, CrestType::RIDGE); },
-       [] (Parameters& p, double value) {
-         const int size = static_cast<int> (std::lround (value));
-         p.min_size = {size, size};
-       }});
+  if (minSize (parameters, CrestType::RIDGE) == minSize (parameters, CrestType::VALLEY))
+    thresholds.push_back (
+        leastSize ("S [points]", {CrestType::RIDGE, CrestType::VALLEY}));
+  else {
+    thresholds.push_back (leastSize ("S of ridges [points]", {CrestType::RIDGE}));
+    thresholds.push_back (leastSize ("S of valleys [points]", {CrestType::VALLEY}));
+  }
   if (preset == Preset::AUTO)
     thresholds.push_back (plain (
         "strength", std::max (1.0, 0.5 * strongest), true, &Parameters::min_strength));

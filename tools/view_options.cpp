@@ -90,7 +90,7 @@ addViewOptions (Options& options, ViewOptions& view)
                });
   options.add ("-ax",
                "X",
-               "draw axes of this length, x red, y green, z blue",
+               "draw axes of this length at the origin, x red, y green, z blue",
                fromRange (0.0, 1e30, view.axes));
   options.addFlag (
       "-directions", "draw principal directions from the start", view.directions);

@@ -4,6 +4,8 @@
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/visualization/picture.h>
 
+#include <pcl/console/print.h>
+
 #include <vtkCommand.h>
 #include <vtkTextProperty.h>
 
@@ -175,6 +177,9 @@ ViewerWindow::run (const Load& load, std::string& error)
     const std::lock_guard<std::mutex> lock (stage_mutex_);
     stage_ = stage + " ... " + std::to_string (std::lround (100.0 * done)) +
              " % (q quits, h lists the keys for when this is done)";
+    // Nobody waits for what is then left out.
+    if (closed_)
+      pcl::console::setVerbosityLevel (pcl::console::L_ERROR);
     return !closed_;
   };
   loading_ = std::async (std::launch::async, [this, load, progress] {
@@ -280,7 +285,7 @@ ViewerWindow::act (char key)
     if (!view_.setColorMode (static_cast<ColorMode> (key - '1')))
       return say ("the file has no colors");
   }
-  window_->Render();
+  say ({});
 }
 
 void
@@ -391,7 +396,8 @@ ViewerWindow::say (const std::string& message)
     for (const CrestLine& line : session_->getLines())
       ridges += line.type == CrestType::RIDGE ? 1 : 0;
     text = std::to_string (ridges) + " ridges, " +
-           std::to_string (session_->getLines().size() - ridges) + " valleys; " + text;
+           std::to_string (session_->getLines().size() - ridges) + " valleys" +
+           (message.empty() ? "" : "; " + message);
   }
   text_->SetInput (text.c_str());
   window_->Render();
