@@ -253,20 +253,31 @@ analyzeSurface (const OrientedPoints& points,
   return shape;
 }
 
+std::vector<CrestType>
+findCrestPoints (const OrientedPoints& points,
+                 const SurfaceShape& shape,
+                 const Parameters& parameters,
+                 Progress* progress)
+{
+  beginStage (progress, "crest points", CLASSIFIED);
+  if (parameters.preset == Preset::PAPER)
+    return classifyCrestPoints (
+        shape.curvature, shape.maximality, absoluteMaximality (points, parameters));
+  return classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
+}
+
 Crests
 traceCrests (const OrientedPoints& points,
              const SurfaceShape& shape,
+             std::vector<CrestType> crest_points,
              const Parameters& parameters,
              Progress* progress)
 {
   const Workers workers (parameters.threads, progress);
-  beginStage (progress, "crest points", CLASSIFIED);
   Crests crests;
+  crests.points = std::move (crest_points);
   Stopwatch watch (crests.times);
   if (parameters.preset == Preset::PAPER) {
-    crests.points = classifyCrestPoints (
-        shape.curvature, shape.maximality, absoluteMaximality (points, parameters));
-    watch.stageDone ("crest points");
     beginStage (progress, "lines", TRACED);
     traceTypes (
         parameters,
@@ -277,8 +288,6 @@ traceCrests (const OrientedPoints& points,
         crests);
     return crests;
   }
-  crests.points =
-      classifyCrestPoints (shape.graph, shape.profiles, parameters.confidence);
   const CrestEvidence evidence =
       gatherEvidence (points, shape.graph, shape.profiles, crests.points, workers);
   const std::vector<CrestType> likely_points = withoutSharp (
@@ -341,18 +350,6 @@ keepLines (const OrientedPoints& points,
                       crests.lines.end());
   classifyEnds (shape.graph, crests.lines);
   crests.positions = std::move (moved.positions);
-  return crests;
-}
-
-Crests
-extractCrests (const OrientedPoints& points,
-               const SurfaceShape& shape,
-               const Parameters& parameters,
-               Progress* progress)
-{
-  Crests traced = traceCrests (points, shape, parameters, progress);
-  Crests crests = keepLines (points, shape, traced, parameters);
-  crests.times.insert (crests.times.begin(), traced.times.begin(), traced.times.end());
   return crests;
 }
 

@@ -60,12 +60,22 @@ analyzeSurface (const OrientedPoints& points,
                 const Parameters& parameters,
                 Progress* progress = nullptr);
 
-/** \brief Sections 4.3 to 4.6, and all lines of 4.7, whose length and strength are not
+/** \brief Section 4.3. Behind it, the preset PAPER needs neither the normals of the
+ * points nor the maximality of the shape any more.
+ */
+std::vector<CrestType>
+findCrestPoints (const OrientedPoints& points,
+                 const SurfaceShape& shape,
+                 const Parameters& parameters,
+                 Progress* progress = nullptr);
+
+/** \brief Sections 4.4 to 4.6, and all lines of 4.7, whose length and strength are not
  * measured yet. min_size, min_strength and positions are not used.
  */
 Crests
 traceCrests (const OrientedPoints& points,
              const SurfaceShape& shape,
+             std::vector<CrestType> crest_points,
              const Parameters& parameters,
              Progress* progress = nullptr);
 
@@ -79,13 +89,6 @@ keepLines (const OrientedPoints& points,
            const SurfaceShape& shape,
            const Crests& traced,
            const Parameters& parameters);
-
-/** \brief Sections 4.3 to 4.7: both of these. */
-Crests
-extractCrests (const OrientedPoints& points,
-               const SurfaceShape& shape,
-               const Parameters& parameters,
-               Progress* progress = nullptr);
 
 /** \brief The label of each packed point. A point joined by growth that lies on lines
  * of both types belongs to the larger one, of equals to the longer.

@@ -176,54 +176,63 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   crest::Stopwatch watch (times);
   std::shared_ptr<const crest::OrientedPoints> points;
   std::shared_ptr<const crest::SurfaceShape> shape;
+  // What is made for this compute alone, which goes as soon as it is not needed.
+  std::shared_ptr<crest::OrientedPoints> own_points;
+  std::shared_ptr<crest::SurfaceShape> own_shape;
   if (analysis_) {
     points = analysis_->points;
     shape = analysis_->shape;
   }
   else
-    points = std::make_shared<const crest::OrientedPoints> (
+    points = own_points = std::make_shared<crest::OrientedPoints> (
         crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
   pcl::Indices located;
   if (!isInputSurface() && !locateInput (*points, located))
     return false;
   const pcl::Indices& packed_indices =
       isInputSurface() ? points->packed_index : located;
-  if (!analysis_)
+  if (!analysis_) {
     watch.stageDone ("packing");
-  std::shared_ptr<crest::SurfaceShape> analyzed;
-  if (!shape) {
-    analyzed = std::make_shared<crest::SurfaceShape>();
-    if (!analyze (*points, progress, *analyzed))
+    shape = own_shape = std::make_shared<crest::SurfaceShape>();
+    if (!analyze (*points, progress, *own_shape))
       return false;
-    times.insert (times.end(), analyzed->times.begin(), analyzed->times.end());
-    shape = analyzed;
+    times.insert (times.end(), shape->times.begin(), shape->times.end());
+  }
+  if (keep_analysis_) {
+    own_points.reset();
+    own_shape.reset();
   }
 
-  crest::Crests crests;
   std::shared_ptr<const crest::Crests> traced;
   if (analysis_ && crest::haveSameTrace (analysis_->parameters, parameters))
     traced = analysis_->traced;
-  else if (keep_analysis_) {
-    crest::Parameters of_both = parameters;
-    of_both.wanted = {true, true};
-    traced = std::make_shared<const crest::Crests> (
-        crest::traceCrests (*points, *shape, of_both, &progress));
-    times.insert (times.end(), traced->times.begin(), traced->times.end());
+  if (!traced) {
+    crest::Stopwatch crest_watch (times);
+    std::vector<crest::CrestType> crest_points =
+        crest::findCrestPoints (*points, *shape, parameters, &progress);
+    if (own_shape && parameters.preset == crest::Preset::PAPER) {
+      own_points->normals = std::vector<Eigen::Vector3f>();
+      own_shape->maximality = std::vector<double>();
+    }
+    crest_watch.stageDone ("crest points");
+    crest::Parameters wanted = parameters;
+    if (keep_analysis_)
+      wanted.wanted = {true, true};
+    traced = std::make_shared<const crest::Crests> (crest::traceCrests (
+        *points, *shape, std::move (crest_points), wanted, &progress));
+    for (const crest::StageTime& time : traced->times)
+      crest::addTime (times, time);
   }
-  if (traced)
-    crests = crest::keepLines (*points, *shape, *traced, parameters);
-  else
-    crests = crest::extractCrests (*points, *shape, parameters, &progress);
-  times.insert (times.end(), crests.times.begin(), crests.times.end());
+  crest::Crests crests = crest::keepLines (*points, *shape, *traced, parameters);
   const std::vector<crest::Label> labels =
       crest::labelPoints (*shape, crests, parameters);
   result_.statistics = {
       shape->graph.mean_spacing, points->extent, std::move (crests.sizes), times};
-  if (analyzed && !keep_analysis_) {
-    // Outputs take the place of what is not needed any more.
-    analyzed->graph = crest::SurfaceGraph();
-    analyzed->maximality = std::vector<double>();
-    analyzed->profiles = std::vector<crest::CrestProfile>();
+  if (own_shape) {
+    // Outputs take the place of these.
+    own_shape->graph = crest::SurfaceGraph();
+    own_shape->profiles = std::vector<crest::CrestProfile>();
+    traced.reset();
   }
   writeLabels (packed_indices, labels, output);
   const bool known = analysis_ && analysis_->curvatures && isInputSurface() &&
