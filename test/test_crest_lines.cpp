@@ -6,6 +6,7 @@
 
 #include "support/tree.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace pcl::crest;

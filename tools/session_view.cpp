@@ -26,11 +26,12 @@ SessionView::SessionView (const ViewOptions& options)
   bar_->SetWidth (0.08);
   bar_->SetHeight (0.4);
   bar_->UnconstrainedFontSizeOn();
-  // Over the points, too, it can be read.
+  // Over the points, too, it can be read, and they can be seen behind it.
+  constexpr double BAR_OPACITY = 0.6;
   bar_->DrawBackgroundOn();
   bar_->GetBackgroundProperty()->SetColor (
       background.x(), background.y(), background.z());
-  bar_->GetBackgroundProperty()->SetOpacity (0.6);
+  bar_->GetBackgroundProperty()->SetOpacity (BAR_OPACITY);
   bar_->SetVerticalTitleSeparation (8);
   bar_->SetLabelFormat ("%-.3g");
   Eigen::Vector3d ink = inkOn (background);
@@ -42,7 +43,7 @@ SessionView::SessionView (const ViewOptions& options)
     property->ItalicOff();
     property->ShadowOff();
     property->SetBackgroundColor (background.x(), background.y(), background.z());
-    property->SetBackgroundOpacity (0.6);
+    property->SetBackgroundOpacity (BAR_OPACITY);
   }
   bar_->VisibilityOff();
   scene_.getRenderer()->AddActor (bar_);
