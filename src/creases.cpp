@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "cubic_residual.h"
+#include "cubic_residuals.h"
 #include "large_arrays.h"
 #include "parallel.h"
 #include "scatter.h"
@@ -42,6 +42,9 @@ constexpr double FARTHEST_FOOT = 1.0;
 constexpr double ZERO_RESIDUAL = 0.05;
 constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
 
+/** Of each window the mean squared distance from a cubic. */
+using SmoothResiduals = std::array<double, WINDOWS.size()>;
+
 /** \brief Fits edges around one sample after the other. Lengths are in spacings, from
  * the sample.
  */
@@ -51,25 +54,6 @@ public:
   : points_ (points), graph_ (graph)
   {}
 
-  /** \brief Whether normals around a sample differ at all, or may do so across a gap in
-   * the graph.
-   */
-  bool
-  isWorthATry (index_t sample) const
-  {
-    // cos (2.6 degrees)
-    constexpr float SAME_NORMAL = 0.999F;
-    const Eigen::Vector3f& n = points_.normals[sample];
-    for (const index_t q : graph_.star (sample)) {
-      if (graph_.boundary[q] != 0 || n.dot (points_.normals[q]) < SAME_NORMAL)
-        return true;
-      for (const index_t r : graph_.star (q))
-        if (n.dot (points_.normals[r]) < SAME_NORMAL)
-          return true;
-    }
-    return graph_.boundary[sample] != 0;
-  }
-
   /** \brief Takes what a search has found, nearest first. */
   void
   setNeighbors (index_t sample, const std::vector<index_t>& found)
@@ -78,6 +62,7 @@ public:
     constexpr float OTHER_SIDE = -0.9F;
     const double scale = 1.0 / graph_.spacing[sample];
     const Eigen::Vector3f& n = points_.normals[sample];
+    sample_ = sample;
     neighbors_.clear();
     for (const index_t q : found)
       if (n.dot (points_.normals[q]) > OTHER_SIDE)
@@ -97,33 +82,40 @@ public:
                       neighbors_.end());
   }
 
+  /** \brief Sets the lane to the neighbours. */
+  void
+  describeTo (CubicResiduals& smooth, int lane) const
+  {
+    Vector3d normal = points_.normals[sample_].cast<double>();
+    for (const Neighbor& neighbor : neighbors_)
+      normal += neighbor.normal;
+    smooth.set (lane,
+                normal.normalized(),
+                neighbors_.empty() ? 1.0 : neighbors_.back().position.norm(),
+                std::min<std::size_t> (neighbors_.size(), CREASE_NEIGHBORS),
+                [this] (std::size_t i) { return neighbors_[i].position; });
+  }
+
+  /** \param[in] smooth of the windows for which there are enough neighbours */
   Crease
-  fit (index_t sample)
+  fit (const SmoothResiduals& smooth)
   {
     Crease best;
     smallest_ratio_ = 1.0;
     noise_ = 0.0;
-    Vector3d normal = points_.normals[sample].cast<double>();
-    for (const Neighbor& neighbor : neighbors_)
-      normal += neighbor.normal;
-    CubicResidual smooth (normal.normalized(),
-                          neighbors_.empty() ? 1.0 : neighbors_.back().position.norm());
     Scatter normals;
     std::size_t added = 0;
-    for (const int window : WINDOWS) {
-      const auto count = static_cast<std::size_t> (window);
+    for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
+      const auto count = static_cast<std::size_t> (WINDOWS[w]);
       if (count > neighbors_.size())
         break;
-      for (; added < count; ++added) {
-        smooth.add (neighbors_[added].position);
+      for (; added < count; ++added)
         normals.add (neighbors_[added].normal);
-      }
-      const double of_cubic = smooth.meanSquare();
       if (count == NOISE_WINDOW)
-        noise_ = CERTAIN_NOISE * of_cubic;
+        noise_ = CERTAIN_NOISE * smooth[w];
       // In the frame of the edge it will be a little different.
-      if (of_cubic - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
-        fitWindow (sample, count, of_cubic, normals, best);
+      if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
+        fitWindow (count, smooth[w], normals, best);
     }
     return best;
   }
@@ -171,11 +163,7 @@ private:
    * \param[in] normals those of the neighbours in the window
    */
   void
-  fitWindow (index_t sample,
-             std::size_t count,
-             double of_cubic,
-             const Scatter& normals,
-             Crease& best)
+  fitWindow (std::size_t count, double of_cubic, const Scatter& normals, Crease& best)
   {
     std::array<Plane, 2> planes;
     bool convex = true;
@@ -222,7 +210,7 @@ private:
     smallest_ratio_ = noisy_ratio;
     best.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
     best.foot =
-        (points_.positions[sample].cast<double>() + graph_.spacing[sample] * foot)
+        (points_.positions[sample_].cast<double>() + graph_.spacing[sample_] * foot)
             .cast<float>();
     best.direction = direction.cast<float>();
     best.normal = normal.cast<float>();
@@ -328,23 +316,92 @@ private:
    * degrees of freedom.
    */
   double
-  smoothResidual (std::size_t count, const Vector3d& normal) const
+  smoothResidual (std::size_t count, const Vector3d& normal)
   {
-    CubicResidual smooth (normal, neighbors_[count - 1].position.norm());
-    for (std::size_t i = 0; i < count; ++i)
-      smooth.add (neighbors_[i].position);
-    return smooth.meanSquare();
+    smooth_.set (0,
+                 normal,
+                 neighbors_[count - 1].position.norm(),
+                 count,
+                 [this] (std::size_t i) { return neighbors_[i].position; });
+    smooth_.fit (static_cast<int> (count));
+    return smooth_.meanSquare (0);
   }
 
   const OrientedPoints& points_;
   const SurfaceGraph& graph_;
+  index_t sample_ = 0;
   std::vector<Neighbor> neighbors_;
+  /** in the frame of an edge */
+  CubicResiduals smooth_{CREASE_NEIGHBORS};
   /** of each neighbour in the window: 1 for the first plane, -1 for the second */
   std::vector<int> side_;
   /** of the sample: mean squared distance from the surface, and the smallest ratio so
    * far */
   double noise_ = 0.0;
   double smallest_ratio_ = 1.0;
+};
+
+/** \brief Whether normals around a sample differ at all, or may do so across a gap in
+ * the graph.
+ */
+bool
+isWorthATry (const OrientedPoints& points, const SurfaceGraph& graph, index_t sample)
+{
+  // cos (2.6 degrees)
+  constexpr float SAME_NORMAL = 0.999F;
+  const Eigen::Vector3f& n = points.normals[sample];
+  for (const index_t q : graph.star (sample)) {
+    if (graph.boundary[q] != 0 || n.dot (points.normals[q]) < SAME_NORMAL)
+      return true;
+    for (const index_t r : graph.star (q))
+      if (n.dot (points.normals[r]) < SAME_NORMAL)
+        return true;
+  }
+  return graph.boundary[sample] != 0;
+}
+
+/** \brief Tests some samples at a time. */
+class CreaseTest {
+public:
+  CreaseTest (const OrientedPoints& points,
+              const SurfaceGraph& graph,
+              std::vector<Crease>& creases)
+  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph))
+  {}
+
+  /** \brief Tests a sample together with others, at the latest when finish is called.
+   * \param[in] found its neighbours
+   */
+  void
+  test (index_t sample, const std::vector<index_t>& found)
+  {
+    samples_[queued_] = sample;
+    fitters_[queued_].setNeighbors (sample, found);
+    fitters_[queued_].describeTo (smooth_, queued_);
+    if (++queued_ == LANES)
+      finish();
+  }
+
+  void
+  finish ()
+  {
+    std::array<SmoothResiduals, LANES> residuals;
+    for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
+      smooth_.fit (WINDOWS[w]);
+      for (int lane = 0; lane < queued_; ++lane)
+        residuals[lane][w] = smooth_.meanSquare (lane);
+    }
+    for (int lane = 0; lane < queued_; ++lane)
+      creases_[samples_[lane]] = fitters_[lane].fit (residuals[lane]);
+    queued_ = 0;
+  }
+
+private:
+  std::vector<Crease>& creases_;
+  std::array<index_t, LANES> samples_{};
+  std::vector<CreaseFitter> fitters_;
+  CubicResiduals smooth_{CREASE_NEIGHBORS};
+  int queued_ = 0;
 };
 
 } // namespace
@@ -358,16 +415,16 @@ findCreases (const OrientedPoints& points,
   std::vector<Crease> creases = makeLarge (points.size(), Crease());
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CreaseFitter fitter (points, graph);
+        CreaseTest test (points, graph, creases);
         std::vector<index_t> found;
         for (std::size_t i = first; i < last; ++i) {
           const auto sample = static_cast<index_t> (i);
-          if (!fitter.isWorthATry (sample))
+          if (!isWorthATry (points, graph, sample))
             continue;
           search (sample, found);
-          fitter.setNeighbors (sample, found);
-          creases[i] = fitter.fit (sample);
+          test.test (sample, found);
         }
+        test.finish();
       });
   return creases;
 }

@@ -3,12 +3,13 @@
 
 #include <Eigen/Geometry>
 
+#include "fit_kernels.h"
 #include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
-#include "small_cholesky.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -20,94 +21,141 @@ namespace {
 constexpr double WINDOW = 2.5;
 
 /** Fewer nodes than this tell nothing about a profile. */
-constexpr int LEAST_NODES = 8;
+constexpr std::size_t LEAST_NODES = 8;
 /** Nearer than this nodes are not beside a place, in units of the window. */
 constexpr double BESIDE = 0.3;
 
-/** \brief The polynomial of one node. */
-ProfilePolynomial
-fitPolynomial (const PyramidLevel& level,
-               const std::vector<ScaleFit>& fits,
-               double elongation,
-               double window,
-               index_t node,
-               NodeWalk& walk)
-{
-  constexpr int TERMS = ProfilePolynomial::TERMS;
-  // Padded, so that two products are added at once: each row of the lower triangle has
-  // an even number of them.
-  constexpr int WIDTH = TERMS + 1;
+/** \brief Fits the polynomials of some nodes at a time. */
+class PolynomialFitter {
+public:
+  PolynomialFitter (const PyramidLevel& level,
+                    const std::vector<ScaleFit>& fits,
+                    double elongation)
+  : level_ (level), fits_ (fits), elongation_ (elongation), walk_ (level.graph)
+  {}
 
-  const ScaleFit& own = fits[node];
-  const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
-  const Eigen::Vector3d t2 = own.normal.cross (own.t1);
-  const auto surface = [&] (index_t q) -> Eigen::Vector3d {
-    return level.positions[q].cast<double>() + fits[q].offset * fits[q].normal;
-  };
-  const Eigen::Vector3d origin = surface (node);
-  const bool round = elongation == 1.0;
+  /** \brief Fits a node together with others, at the latest when finish is called. */
+  void
+  fit (index_t node, double window, ProfilePolynomial& result)
+  {
+    result.window = window;
+    if (!gather (node, queued_, result))
+      return;
+    results_[queued_] = &result;
+    if (++queued_ == LANES)
+      finish();
+  }
 
-  double products[TERMS][WIDTH] = {};
-  double sums[WIDTH] = {};
-  double weight = 0.0;
-  double variance = 0.0;
-  int count = 0;
-  double lowest_u = 1.0;
-  double highest_u = -1.0;
-  ProfilePolynomial result;
-  result.first_u = 1.0;
-  result.last_u = -1.0;
-
-  const auto any = [] (index_t) { return true; };
-  walk.start (node);
-  const std::vector<index_t>& reached = walk.reached();
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    const index_t q = reached[i];
-    const ScaleFit& fit = fits[q];
-    if (!fit.valid || fit.normal.dot (own.normal) < SAME_SHEET_COSINE)
-      continue;
-    const Eigen::Vector3d d = (surface (q) - origin) / window;
-    const double u = d.dot (own.t1);
-    const double g =
-        1.0 - u * u - (d.squaredNorm() - u * u) / (elongation * elongation);
-    if (g <= 0.0)
-      continue;
-    walk.expand (q, any);
-    const double v = d.dot (t2);
-    const double w = g * g;
-    const double row[WIDTH] = {
-        1.0, u, u * u, v, u * v, v * v, round ? 0.0 : u * v * v, 0.0};
-    const double wk = w * std::max (sign * fit.k1, sign * fit.k2);
-    for (int a = 0; a < WIDTH; ++a)
-      sums[a] += wk * row[a];
-    for (int a = 0; a < TERMS; ++a) {
-      const double wa = w * row[a];
-      for (int b = 0; b <= a / 2 * 2 + 1; ++b)
-        products[a][b] += wa * row[b];
+  void
+  finish ()
+  {
+    if (queued_ == 0)
+      return;
+    int most = 0;
+    for (int lane = 0; lane < LANES; ++lane)
+      most = std::max (most, lane < queued_ ? counts_[lane] : 0);
+    for (int lane = 0; lane < LANES; ++lane)
+      for (int i = lane < queued_ ? counts_[lane] : 0; i < most; ++i)
+        samples_[i].clear (lane);
+    ProfileFit fit;
+    kernels_.fitProfiles (samples_.data(), most, elongation_ != 1.0, fit);
+    for (int lane = 0; lane < queued_; ++lane) {
+      ProfilePolynomial& result = *results_[lane];
+      for (int i = 0; i < ProfileFit::TERMS; ++i)
+        result.coefficients[i] = fit.coefficients[i][lane];
+      result.valid = result.coefficients.allFinite();
     }
-    weight += w;
-    variance += w * fit.k1_error * fit.k1_error;
-    ++count;
-    result.first_u = std::min (result.first_u, std::max (u, lowest_u));
-    lowest_u = std::min (lowest_u, u);
-    result.last_u = std::max (result.last_u, std::min (u, highest_u));
-    highest_u = std::max (highest_u, u);
+    queued_ = 0;
   }
-  if (!result.covers (0.0) || count < LEAST_NODES)
-    return result;
-  Eigen::Matrix<double, TERMS, TERMS> matrix;
-  for (int a = 0; a < TERMS; ++a) {
-    for (int b = 0; b <= a; ++b)
-      matrix (a, b) = products[a][b];
-    matrix (a, a) += 1e-5 * weight;
+
+private:
+  /** \brief A node in the window. */
+  struct Inside {
+    index_t node;
+    double u, v, weight;
+  };
+
+  /** \brief Sets the samples of a lane to what is in a node's window, and all of the
+   * result but its coefficients. Returns false if there is too little.
+   */
+  bool
+  gather (index_t node, int lane, ProfilePolynomial& result)
+  {
+    const ScaleFit& own = fits_[node];
+    const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
+    const Eigen::Vector3d t1 = own.t1 / result.window;
+    const Eigen::Vector3d t2 = own.normal.cross (t1);
+    const double squared_unit = 1.0 / (result.window * result.window);
+    const double squared_shortening = 1.0 / (elongation_ * elongation_);
+    const auto surface = [this] (index_t q) -> Eigen::Vector3d {
+      return level_.positions[q].cast<double>() + fits_[q].offset * fits_[q].normal;
+    };
+    const Eigen::Vector3d origin = surface (node);
+
+    double weight = 0.0;
+    double variance = 0.0;
+    std::size_t count = 0;
+    double lowest_u = 1.0;
+    double highest_u = -1.0;
+    result.first_u = 1.0;
+    result.last_u = -1.0;
+    walk_.start (node);
+    for (std::size_t reached = 0; reached < walk_.size();) {
+      // Whether a node is in the window is as good as random: there is no branch for
+      // it.
+      inside_.resize (walk_.size());
+      std::size_t found = 0;
+      for (; reached < walk_.size(); ++reached) {
+        const index_t q = walk_[reached];
+        const ScaleFit& fit = fits_[q];
+        const Eigen::Vector3d d = surface (q) - origin;
+        const double u = d.dot (t1);
+        const double g =
+            1.0 - u * u - (d.squaredNorm() * squared_unit - u * u) * squared_shortening;
+        inside_[found] = {q, u, d.dot (t2), g * g};
+        const int accepted =
+            static_cast<int> (fit.valid) &
+            static_cast<int> (fit.normal.dot (own.normal) >= SAME_SHEET_COSINE) &
+            static_cast<int> (g > 0.0);
+        found += static_cast<std::size_t> (accepted);
+      }
+      if (count + found > samples_.size())
+        samples_.resize (2 * (count + found));
+      for (std::size_t i = 0; i < found; ++i) {
+        const Inside& in = inside_[i];
+        walk_.expand (in.node);
+        const ScaleFit& fit = fits_[in.node];
+        ProfileSample& sample = samples_[count++];
+        sample.u[lane] = in.u;
+        sample.v[lane] = in.v;
+        sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
+        sample.weight[lane] = in.weight;
+        weight += in.weight;
+        variance += in.weight * fit.k1_error * fit.k1_error;
+        result.first_u = std::min (result.first_u, std::max (in.u, lowest_u));
+        lowest_u = std::min (lowest_u, in.u);
+        result.last_u = std::max (result.last_u, std::min (in.u, highest_u));
+        highest_u = std::max (highest_u, in.u);
+      }
+    }
+    if (!result.covers (0.0) || count < LEAST_NODES)
+      return false;
+    counts_[lane] = static_cast<int> (count);
+    result.k1_error = std::sqrt (variance / weight);
+    return true;
   }
-  result.coefficients = SmallCholesky<TERMS> (matrix).solve (
-      Eigen::Map<const Eigen::Matrix<double, TERMS, 1>> (sums));
-  result.window = window;
-  result.k1_error = std::sqrt (variance / weight);
-  result.valid = result.coefficients.allFinite();
-  return result;
-}
+
+  const PyramidLevel& level_;
+  const std::vector<ScaleFit>& fits_;
+  const FitKernels& kernels_ = fitKernels();
+  double elongation_;
+  NodeWalk walk_;
+  std::vector<Inside> inside_;
+  std::vector<ProfileSample> samples_;
+  std::array<int, LANES> counts_{};
+  std::array<ProfilePolynomial*, LANES> results_{};
+  int queued_ = 0;
+};
 
 } // namespace
 
@@ -150,17 +198,13 @@ fitPolynomials (const PyramidLevel& level,
       makeLarge (level.size(), ProfilePolynomial());
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        NodeWalk walk (level.graph);
+        PolynomialFitter fitter (level, fits, elongation);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0 && fits[i].valid) {
             const double spacing = fits[i].radius / std::sqrt (nodes_of_fit / M_PI);
-            polynomials[i] = fitPolynomial (level,
-                                            fits,
-                                            elongation,
-                                            WINDOW * spacing,
-                                            static_cast<index_t> (i),
-                                            walk);
+            fitter.fit (static_cast<index_t> (i), WINDOW * spacing, polynomials[i]);
           }
+        fitter.finish();
       });
   return polynomials;
 }

@@ -3,11 +3,10 @@
 
 #include <Eigen/Geometry>
 
-#include "cubic_moments.h"
+#include "fit_kernels.h"
 #include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
-#include "small_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -18,17 +17,7 @@ namespace crest {
 
 namespace {
 
-constexpr int TERMS = CubicMoments::TERMS;
-
-/** \brief What the i-th coefficient, a derivative of the cubic at the node, is divided
- * by where it is that of a monomial.
- */
-constexpr double
-factorials (int i)
-{
-  constexpr double FACTORIAL[CubicMoments::DEGREE + 1] = {1.0, 1.0, 2.0, 6.0};
-  return FACTORIAL[CubicMoments::A[i]] * FACTORIAL[CubicMoments::B[i]];
-}
+constexpr int TERMS = CubicSums::TERMS;
 
 /** Fewer nodes than this leave too little to tell noise from shape by. */
 constexpr std::size_t LEAST_NODES = TERMS + 4;
@@ -47,9 +36,6 @@ constexpr int MOST_FITS = 3;
 constexpr double TAKEN_FREEDOM = 0.60;
 constexpr double CURVATURE_VARIANCE = 0.615;
 
-using Coefficients = Eigen::Matrix<double, TERMS, 1>;
-using NormalMatrix = Eigen::Matrix<double, TERMS, TERMS>;
-
 struct Neighbor {
   double squared_distance;
   index_t node;
@@ -63,56 +49,65 @@ struct Neighbor {
   }
 };
 
-/** \brief Sums over the neighbours; lengths in units of the radius, weights are the
- * kernel's times the number of samples.
- */
-struct Moments : CubicMoments {
-  /** of the kernel, and of kernel squared times samples */
-  double kernel = 0.0;
-  double kernel_weight = 0.0;
+/** \brief A cubic height function where the node is, lengths in units of the radius. */
+struct LocalCubic {
+  double offset = 0.0;
+  /** first and second derivatives */
+  double p = 0.0, q = 0.0, r = 0.0, s = 0.0, t = 0.0;
+  double residual = 0.0;
+  double weight = 0.0;
+  bool valid = false;
 
-  void
-  add (double u, double v, double z, double kernel_value, double samples)
+  LocalCubic() = default;
+
+  LocalCubic (const CubicSums& sums, const CubicFit& fit, int lane)
+  : offset (fit.coefficients[0][lane])
+  , p (fit.coefficients[1][lane])
+  , q (fit.coefficients[2][lane])
+  , r (2.0 * fit.coefficients[3][lane])
+  , s (fit.coefficients[4][lane])
+  , t (2.0 * fit.coefficients[5][lane])
+  , residual (std::max (0.0, fit.residual[lane]))
+  , weight (sums.powers[0][lane])
   {
-    const double w = kernel_value * samples;
-    CubicMoments::add (u, v, z, w);
-    kernel += kernel_value;
-    kernel_weight += w * kernel_value;
+    // On a line but for rounding there is no surface.
+    constexpr double ROUNDING = 1e-6;
+    constexpr int SECOND = monomials (1);
+    const double uu = sums.powers[SECOND][lane];
+    const double uv = sums.powers[SECOND + 1][lane];
+    const double vv = sums.powers[SECOND + 2][lane];
+    valid = uu * vv - uv * uv > ROUNDING * (uu + vv) * (uu + vv);
+    for (const Lanes& coefficient : fit.coefficients)
+      valid = valid && std::isfinite (coefficient[lane]);
   }
 };
 
-/** \brief Whether all are on a line but for rounding: there is no surface then. */
-bool
-onOneLine (const Moments& m)
-{
-  constexpr double ROUNDING = 1e-6;
-  const double xx = m.powers[2][0];
-  const double yy = m.powers[0][2];
-  const double xy = m.powers[1][1];
-  return !(xx * yy - xy * xy > ROUNDING * (xx + yy) * (xx + yy));
-}
-
 struct Frame {
   Eigen::Vector3d x, y, n;
+
+  Frame() = default;
 
   explicit Frame (const Eigen::Vector3d& normal)
   : x (normal.unitOrthogonal()), y (normal.cross (x)), n (normal)
   {}
 };
 
-/** \brief The curvatures and direction (in the frame's x and y) of a height function
- * with the gradient (p, q) and second derivatives r, s, t.
+/** \brief The curvatures and direction (in the frame's x and y) of a height function.
  */
 struct Principal {
   double k1, k2, x, y;
 
-  Principal (double p, double q, double r, double s, double t)
+  Principal() = default;
+
+  explicit Principal (const LocalCubic& cubic)
   {
+    const double p = cubic.p;
+    const double q = cubic.q;
     const double norm = std::sqrt (1.0 + p * p + q * q);
     // The height falls where the surface is convex: hence the signs.
-    const double L = -r / norm;
-    const double M = -s / norm;
-    const double N = -t / norm;
+    const double L = -cubic.r / norm;
+    const double M = -cubic.s / norm;
+    const double N = -cubic.t / norm;
     const double E = 1.0 + p * p;
     const double F = p * q;
     const double G = 1.0 + q * q;
@@ -137,39 +132,68 @@ struct Principal {
   }
 };
 
+/** \brief Fits some nodes at a time. */
 class CubicFitter {
 public:
   CubicFitter (const PyramidLevel& level, int nearest)
-  : level_ (level), nearest_ (static_cast<std::size_t> (nearest)), walk_ (level.graph)
+  : level_ (level)
+  , nearest_ (static_cast<std::size_t> (nearest))
+  , walk_ (level.graph)
+  , samples_ (nearest_)
   {}
 
-  ScaleFit
-  fit (index_t node)
+  /** \brief Fits a node together with others, at the latest when finish is called. */
+  void
+  fit (index_t node, ScaleFit& result)
   {
-    gather (node);
-    if (neighbors_.size() < LEAST_NODES)
-      return {};
-    double squared_radius = 0.0;
-    for (const Neighbor& neighbor : neighbors_)
-      squared_radius = std::max (squared_radius, neighbor.squared_distance);
-    // A little more, so that the farthest node, too, has a weight.
-    const double radius = 1.02 * std::sqrt (squared_radius);
-    if (!(radius > 0.0))
-      return {};
-    Eigen::Vector3d normal = level_.normals[node].cast<double>().normalized();
-    ScaleFit result;
-    for (int i = 1; i <= MOST_FITS; ++i)
-      if (!fitInFrame (node, radius, i == MOST_FITS, normal, result))
-        break;
-    return result;
+    Fit& next = fits_[queued_];
+    if (!gather (node, next))
+      return;
+    next.result = &result;
+    next.frame = Frame (level_.normals[node].cast<double>().normalized());
+    next.state = State::OPEN;
+    if (++queued_ == LANES)
+      finish();
+  }
+
+  void
+  finish ()
+  {
+    for (int i = 1; i <= MOST_FITS && queued_ > 0; ++i)
+      if (!fitInFrames (i == MOST_FITS))
+        queued_ = 0;
   }
 
 private:
-  /** \brief The nearest nodes of those that a walk over the surface reaches first: a
-   * quarter more than are wanted, as rings are no circles.
+  enum class State { OPEN, FITTED, DONE };
+
+  /** \brief What is being fitted in a lane. */
+  struct Fit {
+    index_t node = 0;
+    ScaleFit* result = nullptr;
+    std::vector<Neighbor> neighbors;
+    double radius = 0.0;
+    Frame frame;
+    /** sums over the neighbours of the kernel g, and of kernel squared times samples */
+    double kernel = 0.0;
+    double kernel_weight = 0.0;
+    LocalCubic cubic;
+    Principal principal;
+    State state = State::DONE;
+
+    Eigen::Vector3d
+    normalOf (const LocalCubic& surface) const
+    {
+      return (frame.n - surface.p * frame.x - surface.q * frame.y).normalized();
+    }
+  };
+
+  /** \brief Finds the nearest nodes of those that a walk over the surface reaches
+   * first: a quarter more than are wanted, as rings are no circles. Returns false if
+   * there are too few.
    */
-  void
-  gather (index_t node)
+  bool
+  gather (index_t node, Fit& fit)
   {
     const Eigen::Vector3f& p = level_.positions[node];
     const Eigen::Vector3f& n = level_.normals[node];
@@ -178,105 +202,140 @@ private:
     };
     const std::size_t enough = nearest_ + nearest_ / 4;
     walk_.start (node);
-    const std::vector<index_t>& reached = walk_.reached();
-    for (std::size_t i = 0, ring = 1; i < reached.size() && reached.size() < enough;
-         ring = reached.size())
+    for (std::size_t i = 0, ring = 1; i < walk_.size() && walk_.size() < enough;
+         ring = walk_.size())
       for (; i < ring; ++i)
-        walk_.expand (reached[i], same_sheet);
-    neighbors_.clear();
-    for (const index_t q : reached)
-      neighbors_.push_back (
-          {(level_.positions[q] - p).cast<double>().squaredNorm(), q});
-    if (neighbors_.size() > nearest_) {
-      std::nth_element (neighbors_.begin(),
-                        neighbors_.begin() + static_cast<std::ptrdiff_t> (nearest_),
-                        neighbors_.end());
-      neighbors_.resize (nearest_);
+        walk_.expand (walk_[i], same_sheet);
+    fit.node = node;
+    fit.neighbors.resize (walk_.size());
+    for (std::size_t i = 0; i < walk_.size(); ++i) {
+      const index_t q = walk_[i];
+      fit.neighbors[i] = {(level_.positions[q] - p).cast<double>().squaredNorm(), q};
     }
+    if (fit.neighbors.size() > nearest_) {
+      std::nth_element (fit.neighbors.begin(),
+                        fit.neighbors.begin() + static_cast<std::ptrdiff_t> (nearest_),
+                        fit.neighbors.end());
+      fit.neighbors.resize (nearest_);
+    }
+    if (fit.neighbors.size() < LEAST_NODES)
+      return false;
+    double squared_radius = 0.0;
+    for (const Neighbor& neighbor : fit.neighbors)
+      squared_radius = std::max (squared_radius, neighbor.squared_distance);
+    // A little more, so that the farthest node, too, has a weight.
+    fit.radius = 1.02 * std::sqrt (squared_radius);
+    return fit.radius > 0.0;
   }
 
-  /** \brief One fit; returns whether it has to be repeated with the new normal. */
+  /** \brief One fit of each that is open; returns whether some have to be repeated with
+   * the new normal.
+   */
   bool
-  fitInFrame (index_t node,
-              double radius,
-              bool last,
-              Eigen::Vector3d& normal,
-              ScaleFit& result) const
+  fitInFrames (bool last)
   {
-    const Frame frame (normal);
-    const Moments moments = sum (node, radius, frame);
-    if (onOneLine (moments))
-      return false;
-    NormalMatrix matrix;
-    Coefficients right_side;
-    for (int i = 0; i < TERMS; ++i) {
-      const double scale = 1.0 / factorials (i);
-      right_side[i] = scale * moments.height (i);
-      for (int j = 0; j <= i; ++j)
-        matrix (i, j) = matrix (j, i) = moments.product (i, j) * scale / factorials (j);
-      // Nodes on few lines leave some terms open: these become zero.
-      matrix (i, i) += 1e-9 * moments.weight;
-    }
-    const SmallCholesky<TERMS> solver (matrix);
-    const Coefficients c = solver.solve (right_side);
-    if (!c.allFinite())
-      return false;
-    const double squared_slope = c[1] * c[1] + c[2] * c[2];
-    normal = (frame.n - c[1] * frame.x - c[2] * frame.y).normalized();
-    if (!last && squared_slope > LARGEST_SQUARED_SLOPE)
-      return true;
+    const auto each = [this] (State state, const auto& work) {
+      for (int lane = 0; lane < queued_; ++lane)
+        if (fits_[lane].state == state)
+          work (fits_[lane], lane);
+    };
+    each (State::OPEN, [this] (Fit& fit, int lane) { setSamples (fit, lane); });
+    CubicSums sums;
+    kernels_.addHeights (samples_.data(), static_cast<int> (samples_.size()), sums);
+    CubicFit cubics;
+    kernels_.fitCubics (sums, cubics);
 
-    const double residual = std::max (
-        0.0, moments.squared_heights - 2.0 * c.dot (right_side) + c.dot (matrix * c));
-    const double kappa = moments.kernel_weight / moments.weight;
-    const double freedom =
-        std::max (moments.kernel - TAKEN_FREEDOM * kappa * TERMS, 0.1 * moments.kernel);
-    const double variance = residual / freedom;
-
-    const Principal principal (c[1], c[2], c[3], c[4], c[5]);
-    Coefficients direction = Coefficients::Zero();
-    direction[3] = principal.x * principal.x;
-    direction[4] = 2.0 * principal.x * principal.y;
-    direction[5] = principal.y * principal.y;
-    const double k1_variance = variance * CURVATURE_VARIANCE * kappa *
-                               solver.solveLower (direction).squaredNorm();
-
-    result.k1 = principal.k1 / radius;
-    result.k2 = principal.k2 / radius;
-    result.t1 = (principal.x * frame.x + principal.y * frame.y +
-                 (c[1] * principal.x + c[2] * principal.y) * frame.n)
-                    .normalized();
-    result.normal = normal;
-    result.offset = c[0] * radius * frame.n.dot (normal);
-    result.radius = radius;
-    result.noise = std::sqrt (variance) * radius;
-    result.k1_error = std::sqrt (std::max (0.0, k1_variance)) / radius;
-    result.valid = true;
-    return false;
+    bool any_open = false;
+    Lanes x = {};
+    Lanes y = {};
+    each (State::OPEN, [&] (Fit& fit, int lane) {
+      const LocalCubic cubic (sums, cubics, lane);
+      if (!cubic.valid)
+        fit.state = State::DONE;
+      else if (!last && cubic.p * cubic.p + cubic.q * cubic.q > LARGEST_SQUARED_SLOPE) {
+        fit.frame = Frame (fit.normalOf (cubic));
+        any_open = true;
+      }
+      else {
+        fit.cubic = cubic;
+        fit.principal = Principal (cubic);
+        x[lane] = fit.principal.x;
+        y[lane] = fit.principal.y;
+        fit.state = State::FITTED;
+      }
+    });
+    Lanes variances;
+    kernels_.bendVariance (cubics, x, y, variances);
+    each (State::FITTED, [&] (Fit& fit, int lane) {
+      describe (fit, variances[lane]);
+      fit.state = State::DONE;
+    });
+    return any_open;
   }
 
-  Moments
-  sum (index_t node, double radius, const Frame& frame) const
+  /** \brief Sets the samples of a lane: lengths in units of the radius, weights are the
+   * kernel's times the number of samples.
+   */
+  void
+  setSamples (Fit& fit, int lane)
   {
-    const Eigen::Vector3d p = level_.positions[node].cast<double>();
-    Moments moments;
-    for (const Neighbor& neighbor : neighbors_) {
+    const Eigen::Vector3d p = level_.positions[fit.node].cast<double>();
+    fit.kernel = 0.0;
+    fit.kernel_weight = 0.0;
+    for (std::size_t i = 0; i < fit.neighbors.size(); ++i) {
+      const Neighbor& neighbor = fit.neighbors[i];
       const Eigen::Vector3d e =
-          (level_.positions[neighbor.node].cast<double>() - p) / radius;
-      const double g = 1.0 - neighbor.squared_distance / (radius * radius);
-      moments.add (e.dot (frame.x),
-                   e.dot (frame.y),
-                   e.dot (frame.n),
-                   g * g,
-                   level_.weights[neighbor.node]);
+          (level_.positions[neighbor.node].cast<double>() - p) / fit.radius;
+      const double g = 1.0 - neighbor.squared_distance / (fit.radius * fit.radius);
+      const double kernel = g * g;
+      const double weight = kernel * level_.weights[neighbor.node];
+      HeightSample& sample = samples_[i];
+      sample.u[lane] = e.dot (fit.frame.x);
+      sample.v[lane] = e.dot (fit.frame.y);
+      sample.z[lane] = e.dot (fit.frame.n);
+      sample.weight[lane] = weight;
+      fit.kernel += kernel;
+      fit.kernel_weight += weight * kernel;
     }
-    return moments;
+    for (std::size_t i = fit.neighbors.size(); i < samples_.size(); ++i)
+      samples_[i].clear (lane);
+  }
+
+  /** \param[in] bend_variance that of the second derivative along the direction of k1
+   */
+  static void
+  describe (const Fit& fit, double bend_variance)
+  {
+    const LocalCubic& c = fit.cubic;
+    const Principal& principal = fit.principal;
+    const Frame& frame = fit.frame;
+    const double kappa = fit.kernel_weight / c.weight;
+    const double freedom =
+        std::max (fit.kernel - TAKEN_FREEDOM * kappa * TERMS, 0.1 * fit.kernel);
+    const double variance = c.residual / freedom;
+    const double k1_variance = variance * CURVATURE_VARIANCE * kappa * bend_variance;
+
+    ScaleFit& result = *fit.result;
+    result.k1 = principal.k1 / fit.radius;
+    result.k2 = principal.k2 / fit.radius;
+    result.t1 = (principal.x * frame.x + principal.y * frame.y +
+                 (c.p * principal.x + c.q * principal.y) * frame.n)
+                    .normalized();
+    result.normal = fit.normalOf (c);
+    result.offset = c.offset * fit.radius * frame.n.dot (result.normal);
+    result.radius = fit.radius;
+    result.noise = std::sqrt (variance) * fit.radius;
+    result.k1_error = std::sqrt (std::max (0.0, k1_variance)) / fit.radius;
+    result.valid = true;
   }
 
   const PyramidLevel& level_;
+  const FitKernels& kernels_ = fitKernels();
   std::size_t nearest_;
   NodeWalk walk_;
-  std::vector<Neighbor> neighbors_;
+  std::array<Fit, LANES> fits_;
+  int queued_ = 0;
+  std::vector<HeightSample> samples_;
 };
 
 /** \brief Replaces each node's estimate of the noise by the mean over its star: one
@@ -324,7 +383,8 @@ fitAtScale (const PyramidLevel& level,
         CubicFitter fitter (level, nearest);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0)
-            fits[i] = fitter.fit (static_cast<index_t> (i));
+            fitter.fit (static_cast<index_t> (i), fits[i]);
+        fitter.finish();
       });
   poolNoise (level, fits, workers);
   return fits;

@@ -21,7 +21,6 @@ linksFromSharpEnds (const OrientedPoints& points,
   std::vector<CrestEdge> links;
   const Forest lines (sharp);
   NodeWalk walk (graph);
-  const auto any = [] (index_t) { return true; };
   for (int v = 0; v < lines.size(); ++v) {
     if (lines.degree (v) != 1)
       continue;
@@ -31,9 +30,10 @@ linksFromSharpEnds (const OrientedPoints& points,
     walk.start (end);
     std::size_t i = 0;
     for (int ring = 0; ring < RINGS; ++ring)
-      for (const std::size_t last = walk.reached().size(); i < last; ++i)
-        walk.expand (walk.reached()[i], any);
-    for (const index_t q : walk.reached()) {
+      for (const std::size_t last = walk.size(); i < last; ++i)
+        walk.expand (walk[i]);
+    for (i = 0; i < walk.size(); ++i) {
+      const index_t q = walk[i];
       if (membership[q] != Membership::CREST)
         continue;
       const Eigen::Vector3d e = points.edge (end, q);

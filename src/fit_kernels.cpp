@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fit_kernels.h"
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+constexpr int DEGREE = CubicSums::DEGREE;
+
+/** \brief The place of u^a v^b among the monomials. */
+constexpr int
+placeOf (int a, int b)
+{
+  return monomials (a + b - 1) + b;
+}
+
+struct Monomial {
+  int a, b;
+};
+
+/** The terms of a cubic, in the order of the monomials. */
+constexpr Monomial CUBIC[CubicSums::TERMS] = {
+    {0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}};
+constexpr Monomial PROFILE[ProfileFit::TERMS] = {
+    {0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}};
+
+/** \brief The sum of the product of two terms. */
+template <int N>
+PCL_CREST_INLINE const Lanes&
+product (const Lanes (&powers)[N], const Monomial& s, const Monomial& t)
+{
+  return powers[placeOf (s.a + t.a, s.b + t.b)];
+}
+
+PCL_CREST_INLINE void
+addHeights (const HeightSample* samples, int count, CubicSums& sums)
+{
+  constexpr int POWERS = monomials (2 * DEGREE);
+  CubicSums s = sums;
+  for (int i = 0; i < count; ++i) {
+    const HeightSample& sample = samples[i];
+    Lanes powers[POWERS];
+    powers[0] = sample.weight;
+    for (int degree = 1; degree <= 2 * DEGREE; ++degree) {
+      for (int b = 0; b < degree; ++b)
+        powers[placeOf (degree - b, b)] =
+            powers[placeOf (degree - 1 - b, b)] * sample.u;
+      powers[placeOf (0, degree)] = powers[placeOf (0, degree - 1)] * sample.v;
+    }
+    for (int j = 0; j < CubicSums::TERMS; ++j)
+      s.heights[j] += sample.z * powers[j];
+    s.squared_heights += sample.z * sample.z * sample.weight;
+    for (int j = 0; j < POWERS; ++j)
+      s.powers[j] += powers[j];
+  }
+  sums = s;
+}
+
+PCL_CREST_INLINE void
+fitCubics (const CubicSums& sums, CubicFit& fit)
+{
+  constexpr int N = CubicSums::TERMS;
+  constexpr double OPEN = 1e-9;
+  LaneCholesky<N> matrix;
+  Lanes x[N];
+  for (int i = 0; i < N; ++i) {
+    x[i] = sums.heights[i];
+    for (int j = 0; j <= i; ++j)
+      matrix.factor[matrix.at (i, j)] = product (sums.powers, CUBIC[i], CUBIC[j]);
+    matrix.factor[matrix.at (i, i)] += OPEN * sums.powers[0];
+  }
+  matrix.decompose();
+  matrix.solveLower (x);
+  fit.residual = sums.squared_heights;
+  for (int i = 0; i < N; ++i)
+    fit.residual -= x[i] * x[i];
+  matrix.solveUpper (x);
+  for (int i = 0; i < N; ++i)
+    fit.coefficients[i] = x[i];
+  fit.normal_matrix = matrix;
+}
+
+PCL_CREST_INLINE void
+bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& variance)
+{
+  // The first of the second derivatives, of which r and t are twice the coefficients.
+  constexpr int FIRST = monomials (1);
+  Lanes direction[CubicSums::TERMS] = {};
+  direction[FIRST] = 2.0 * x * x;
+  direction[FIRST + 1] = 2.0 * x * y;
+  direction[FIRST + 2] = 2.0 * y * y;
+  fit.normal_matrix.solveLower (direction, FIRST);
+  variance = direction[FIRST] * direction[FIRST];
+  for (int i = FIRST + 1; i < CubicSums::TERMS; ++i)
+    variance += direction[i] * direction[i];
+}
+
+/** \brief Whether u^a v^b is the product of two terms of a profile. */
+constexpr bool
+isProduct (int a, int b, bool bent)
+{
+  return a + b <= 4 || (bent && b >= 2 && a >= 1 && a + b <= 6 && !(a == 3 && b == 3));
+}
+
+/** \brief The highest power of u or v in such a product. */
+constexpr int HIGHEST = 4;
+
+template <bool BENT>
+PCL_CREST_INLINE void
+fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
+{
+  constexpr int N = BENT ? ProfileFit::TERMS : ProfileFit::TERMS - 1;
+  constexpr double OPEN = 1e-5;
+  Lanes powers[HIGHEST + 1][HIGHEST + 1] = {};
+  Lanes x[N] = {};
+  for (int i = 0; i < count; ++i) {
+    const ProfileSample& s = samples[i];
+    Lanes power[HIGHEST + 1][HIGHEST + 1];
+    power[0][0] = s.weight;
+#pragma GCC unroll 5
+    for (int a = 0; a <= HIGHEST; ++a) {
+      if (a > 0)
+        power[a][0] = power[a - 1][0] * s.u;
+#pragma GCC unroll 5
+      for (int b = 0; b <= HIGHEST; ++b) {
+        if (b > 0)
+          power[a][b] = power[a][b - 1] * s.v;
+        if (isProduct (a, b, BENT))
+          powers[a][b] += power[a][b];
+      }
+    }
+#pragma GCC unroll 7
+    for (int j = 0; j < N; ++j)
+      x[j] += power[PROFILE[j].a][PROFILE[j].b] * s.value;
+  }
+  LaneCholesky<N> matrix;
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j <= i; ++j)
+      matrix.factor[matrix.at (i, j)] =
+          powers[PROFILE[i].a + PROFILE[j].a][PROFILE[i].b + PROFILE[j].b];
+    matrix.factor[matrix.at (i, i)] += OPEN * powers[0][0];
+  }
+  matrix.decompose();
+  matrix.solveLower (x);
+  matrix.solveUpper (x);
+  for (int i = 0; i < ProfileFit::TERMS; ++i)
+    fit.coefficients[i] = i < N ? x[i] : Lanes{};
+}
+
+// The same once for each set of instructions: what is inline becomes part of functions
+// for it.
+#define PCL_CREST_FIT_KERNELS(NAME, TARGET)                                            \
+  namespace NAME {                                                                     \
+  TARGET void                                                                          \
+  addHeights (const HeightSample* samples, int count, CubicSums& sums)                 \
+  {                                                                                    \
+    crest::addHeights (samples, count, sums);                                          \
+  }                                                                                    \
+  TARGET void                                                                          \
+  fitCubics (const CubicSums& sums, CubicFit& fit)                                     \
+  {                                                                                    \
+    crest::fitCubics (sums, fit);                                                      \
+  }                                                                                    \
+  TARGET void                                                                          \
+  bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& variance)  \
+  {                                                                                    \
+    crest::bendVariance (fit, x, y, variance);                                         \
+  }                                                                                    \
+  TARGET void                                                                          \
+  fitProfiles (const ProfileSample* samples, int count, bool bent, ProfileFit& fit)    \
+  {                                                                                    \
+    if (bent)                                                                          \
+      crest::fitProfiles<true> (samples, count, fit);                                  \
+    else                                                                               \
+      crest::fitProfiles<false> (samples, count, fit);                                 \
+  }                                                                                    \
+  constexpr FitKernels KERNELS{addHeights, fitCubics, bendVariance, fitProfiles};      \
+  }
+
+PCL_CREST_FIT_KERNELS (portable, )
+#if defined(__x86_64__)
+PCL_CREST_FIT_KERNELS (avx2, __attribute__ ((target ("avx2"))))
+#endif
+
+} // namespace
+
+const FitKernels&
+fitKernels (Simd simd)
+{
+#if defined(__x86_64__)
+  if (simd == Simd::AVX2 && isAvailable (simd))
+    return avx2::KERNELS;
+#endif
+  return portable::KERNELS;
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least squares of the auto preset, four fits at a time.
+#pragma once
+
+#include <pcl_crest/search/simd.h>
+
+#include "lanes.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief A sample of each fit: its height z over (u, v), with a weight. */
+struct HeightSample {
+  Lanes u, v, z, weight;
+
+  /** \brief Makes it none of one of the fits. */
+  void
+  clear (int lane)
+  {
+    u[lane] = v[lane] = z[lane] = weight[lane] = 0.0;
+  }
+};
+
+/** \brief The number of monomials u^a v^b of up to a degree. They are ordered by degree
+ * and then by b: 1, u, v, u^2, u v, v^2, u^3...
+ */
+constexpr int
+monomials (int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
+
+/** \brief Weighted sums over samples that the normal equations of a cubic height
+ * function are made of.
+ */
+struct CubicSums {
+  static constexpr int DEGREE = 3;
+  static constexpr int TERMS = monomials (DEGREE);
+
+  /** of the monomials, those of degree 0 being the weights */
+  Lanes powers[monomials (2 * DEGREE)] = {};
+  /** of z times the monomials */
+  Lanes heights[TERMS] = {};
+  Lanes squared_heights = {};
+};
+
+/** \brief Cubic height functions. */
+struct CubicFit {
+  /** of each monomial */
+  Lanes coefficients[CubicSums::TERMS];
+  /** weighted sum of squares that the cubic leaves; where heights are no function of
+   * the place, as seen along a face, not a number */
+  Lanes residual;
+  LaneCholesky<CubicSums::TERMS> normal_matrix;
+};
+
+/** \brief A value of each fit at (u, v), with a weight. */
+struct ProfileSample {
+  Lanes u, v, value, weight;
+
+  /** \brief Makes it none of one of the fits. */
+  void
+  clear (int lane)
+  {
+    u[lane] = v[lane] = value[lane] = weight[lane] = 0.0;
+  }
+};
+
+/** \brief Polynomials with the terms 1, u, u^2, v, u v, v^2, u v^2. */
+struct ProfileFit {
+  static constexpr int TERMS = 7;
+
+  Lanes coefficients[TERMS];
+};
+
+/** \brief The inner loops, for some instructions: all give the same results. */
+struct FitKernels {
+  /** \brief Adds samples to sums. */
+  void (*addHeights) (const HeightSample* samples, int count, CubicSums& sums);
+
+  /** \brief Solves the normal equations. Samples on few lines leave some terms open:
+   * these become zero.
+   */
+  void (*fitCubics) (const CubicSums& sums, CubicFit& fit);
+
+  /** \brief The variance of x^2 r + 2 x y s + y^2 t, in units of that of a sample of
+   * weight 1 under weights that are inverse variances; r, s, t are the second
+   * derivatives of the cubics at the origin.
+   */
+  void (*bendVariance) (const CubicFit& fit,
+                        const Lanes& x,
+                        const Lanes& y,
+                        Lanes& variance);
+
+  /** \brief Fits values.
+   * \param[in] bent whether there is a term u v^2; its coefficient is 0 if not
+   */
+  void (*fitProfiles) (const ProfileSample* samples,
+                       int count,
+                       bool bent,
+                       ProfileFit& fit);
+};
+
+/** \brief The portable ones where others are not available; SSE2 is as portable. */
+const FitKernels&
+fitKernels (Simd simd = bestSimd());
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several small systems of equations at once, one in each lane of a register.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace crest {
+
+constexpr int LANES = 4;
+
+/** \brief A number of each of some fits that are done together (GCC's and Clang's
+ * vector extension: registers of whatever width the instructions have). Aligned by
+ * itself, as otherwise alignment, too, is that of the instructions.
+ */
+using Lanes = double __attribute__ ((vector_size (LANES * sizeof (double)),
+                                     aligned (LANES * sizeof (double))));
+
+/** \brief What is to be part of a function for certain instructions. */
+#define PCL_CREST_INLINE inline __attribute__ ((always_inline))
+
+/** \brief The Cholesky factor L of positive definite matrices of a fixed size of about
+ * ten. Eigen's, which is made for large ones too, calls kernels for parts of a few
+ * numbers.
+ */
+template <int N>
+struct LaneCholesky {
+  /** the lower triangle, row by row; the diagonal is inverse */
+  Lanes factor[N * (N + 1) / 2];
+
+  static constexpr int
+  at (int row, int column)
+  {
+    return row * (row + 1) / 2 + column;
+  }
+
+  /** \brief Replaces the lower triangle of a matrix; where a lane's is not positive
+   * definite, the factor is not finite.
+   */
+  PCL_CREST_INLINE void
+  decompose ()
+  {
+    for (int k = 0; k < N; ++k) {
+      Lanes& pivot = factor[at (k, k)];
+      for (int l = 0; l < LANES; ++l)
+        pivot[l] = std::sqrt (pivot[l]);
+      pivot = 1.0 / pivot;
+      for (int i = k + 1; i < N; ++i)
+        factor[at (i, k)] *= pivot;
+      for (int i = k + 1; i < N; ++i)
+        for (int j = k + 1; j <= i; ++j)
+          factor[at (i, j)] -= factor[at (i, k)] * factor[at (j, k)];
+    }
+  }
+
+  /** \brief Replaces b by L^-1 b; its entries before the first are zero. */
+  PCL_CREST_INLINE void
+  solveLower (Lanes (&b)[N], int first = 0) const
+  {
+    for (int i = first; i < N; ++i) {
+      for (int j = first; j < i; ++j)
+        b[i] -= factor[at (i, j)] * b[j];
+      b[i] *= factor[at (i, i)];
+    }
+  }
+
+  /** \brief Replaces y by L^-T y. */
+  PCL_CREST_INLINE void
+  solveUpper (Lanes (&y)[N]) const
+  {
+    for (int i = N - 1; i >= 0; --i) {
+      y[i] *= factor[at (i, i)];
+      for (int j = 0; j < i; ++j)
+        y[j] -= factor[at (i, j)] * y[i];
+    }
+  }
+};
+
+} // namespace crest
+} // namespace pcl
