@@ -256,11 +256,18 @@ private:
       return false;
     const Vector3d axis = solver.eigenvectors().col (2);
     side_.resize (count);
-    planes[0].normal = planes[1].normal = Vector3d::Zero();
+    Vector3d difference = Vector3d::Zero();
     for (std::size_t i = 0; i < count; ++i) {
-      side_[i] = (neighbors_[i].normal - mean).dot (axis) > 0.0 ? 1 : -1;
-      planes[side_[i] > 0 ? 0 : 1].normal += neighbors_[i].normal;
+      const Vector3d& normal = neighbors_[i].normal;
+      // Either side is as likely: there is no branch for it.
+      const double side = std::copysign (1.0, (normal - mean).dot (axis));
+      side_[i] = static_cast<int> (side);
+      difference += side * normal;
     }
+    // Of either part twice the sum.
+    const Vector3d sum = static_cast<double> (count) * mean;
+    planes[0].normal = sum + difference;
+    planes[1].normal = sum - difference;
     return true;
   }
 

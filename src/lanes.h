@@ -41,14 +41,18 @@ struct LaneCholesky {
   PCL_CREST_INLINE void
   decompose ()
   {
+#pragma GCC unroll 10
     for (int k = 0; k < N; ++k) {
       Lanes& pivot = factor[at (k, k)];
       for (int l = 0; l < LANES; ++l)
         pivot[l] = std::sqrt (pivot[l]);
       pivot = 1.0 / pivot;
+#pragma GCC unroll 10
       for (int i = k + 1; i < N; ++i)
         factor[at (i, k)] *= pivot;
+#pragma GCC unroll 10
       for (int i = k + 1; i < N; ++i)
+#pragma GCC unroll 10
         for (int j = k + 1; j <= i; ++j)
           factor[at (i, j)] -= factor[at (i, k)] * factor[at (j, k)];
     }
@@ -58,7 +62,9 @@ struct LaneCholesky {
   PCL_CREST_INLINE void
   solveLower (Lanes (&b)[N], int first = 0) const
   {
+#pragma GCC unroll 10
     for (int i = first; i < N; ++i) {
+#pragma GCC unroll 10
       for (int j = first; j < i; ++j)
         b[i] -= factor[at (i, j)] * b[j];
       b[i] *= factor[at (i, i)];
@@ -69,8 +75,10 @@ struct LaneCholesky {
   PCL_CREST_INLINE void
   solveUpper (Lanes (&y)[N]) const
   {
+#pragma GCC unroll 10
     for (int i = N - 1; i >= 0; --i) {
       y[i] *= factor[at (i, i)];
+#pragma GCC unroll 10
       for (int j = 0; j < i; ++j)
         y[j] -= factor[at (i, j)] * y[i];
     }

@@ -7,6 +7,7 @@
 #include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
+#include "search/kernels.h"
 
 #include <algorithm>
 #include <array>
@@ -35,19 +36,6 @@ constexpr int MOST_FITS = 3;
  */
 constexpr double TAKEN_FREEDOM = 0.60;
 constexpr double CURVATURE_VARIANCE = 0.615;
-
-struct Neighbor {
-  double squared_distance;
-  index_t node;
-
-  bool
-  operator<(const Neighbor& o) const
-  {
-    return squared_distance != o.squared_distance
-               ? squared_distance < o.squared_distance
-               : node < o.node;
-  }
-};
 
 /** \brief A cubic height function where the node is, lengths in units of the radius. */
 struct LocalCubic {
@@ -171,7 +159,7 @@ private:
   struct Fit {
     index_t node = 0;
     ScaleFit* result = nullptr;
-    std::vector<Neighbor> neighbors;
+    std::vector<index_t> nodes;
     double radius = 0.0;
     Frame frame;
     /** sums over the neighbours of the kernel g, and of kernel squared times samples */
@@ -200,32 +188,48 @@ private:
     const auto same_sheet = [&] (index_t q) {
       return level_.normals[q].dot (n) > SAME_SHEET_COSINE;
     };
-    const std::size_t enough = nearest_ + nearest_ / 4;
+    const auto enough = static_cast<std::size_t> (nearest_ + nearest_ / 4);
     walk_.start (node);
     for (std::size_t i = 0, ring = 1; i < walk_.size() && walk_.size() < enough;
          ring = walk_.size())
       for (; i < ring; ++i)
         walk_.expand (walk_[i], same_sheet);
     fit.node = node;
-    fit.neighbors.resize (walk_.size());
-    for (std::size_t i = 0; i < walk_.size(); ++i) {
-      const index_t q = walk_[i];
-      fit.neighbors[i] = {(level_.positions[q] - p).cast<double>().squaredNorm(), q};
-    }
-    if (fit.neighbors.size() > nearest_) {
-      std::nth_element (fit.neighbors.begin(),
-                        fit.neighbors.begin() + static_cast<std::ptrdiff_t> (nearest_),
-                        fit.neighbors.end());
-      fit.neighbors.resize (nearest_);
-    }
-    if (fit.neighbors.size() < LEAST_NODES)
+    const double squared_radius = takeNearest (p, fit.nodes);
+    if (fit.nodes.size() < LEAST_NODES)
       return false;
-    double squared_radius = 0.0;
-    for (const Neighbor& neighbor : fit.neighbors)
-      squared_radius = std::max (squared_radius, neighbor.squared_distance);
     // A little more, so that the farthest node, too, has a weight.
     fit.radius = 1.02 * std::sqrt (squared_radius);
     return fit.radius > 0.0;
+  }
+
+  /** \brief Takes the nearest nodes of the walk, of equally near ones those of lower
+   * index. \return the largest of their squared distances
+   */
+  float
+  takeNearest (const Eigen::Vector3f& p, std::vector<index_t>& nodes)
+  {
+    const std::size_t count = walk_.size();
+    for (auto* const array : {&walked_, &ranks_})
+      array->resize (count + KERNEL_SLACK);
+    squared_distances_.resize (count + KERNEL_SLACK);
+    for (std::size_t i = 0; i < count; ++i) {
+      walked_[i] = walk_[i];
+      squared_distances_[i] = (level_.positions[walk_[i]] - p).squaredNorm();
+    }
+    const int ranked = static_cast<int> (count);
+    if (!search_kernels_.rankDistinct (
+            squared_distances_.data(), ranked, ranks_.data()))
+      search_kernels_.rankTied (
+          squared_distances_.data(), walked_.data(), ranked, ranks_.data());
+    float largest = 0.0F;
+    nodes.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      if (ranks_[i] < nearest_) {
+        nodes.push_back (walked_[i]);
+        largest = std::max (largest, squared_distances_[i]);
+      }
+    return largest;
   }
 
   /** \brief One fit of each that is open; returns whether some have to be repeated with
@@ -282,13 +286,12 @@ private:
     const Eigen::Vector3d p = level_.positions[fit.node].cast<double>();
     fit.kernel = 0.0;
     fit.kernel_weight = 0.0;
-    for (std::size_t i = 0; i < fit.neighbors.size(); ++i) {
-      const Neighbor& neighbor = fit.neighbors[i];
-      const Eigen::Vector3d e =
-          (level_.positions[neighbor.node].cast<double>() - p) / fit.radius;
-      const double g = 1.0 - neighbor.squared_distance / (fit.radius * fit.radius);
+    for (std::size_t i = 0; i < fit.nodes.size(); ++i) {
+      const index_t q = fit.nodes[i];
+      const Eigen::Vector3d e = (level_.positions[q].cast<double>() - p) / fit.radius;
+      const double g = 1.0 - e.squaredNorm();
       const double kernel = g * g;
-      const double weight = kernel * level_.weights[neighbor.node];
+      const double weight = kernel * level_.weights[q];
       HeightSample& sample = samples_[i];
       sample.u[lane] = e.dot (fit.frame.x);
       sample.v[lane] = e.dot (fit.frame.y);
@@ -297,7 +300,7 @@ private:
       fit.kernel += kernel;
       fit.kernel_weight += weight * kernel;
     }
-    for (std::size_t i = fit.neighbors.size(); i < samples_.size(); ++i)
+    for (std::size_t i = fit.nodes.size(); i < samples_.size(); ++i)
       samples_[i].clear (lane);
   }
 
@@ -330,9 +333,13 @@ private:
   }
 
   const PyramidLevel& level_;
+  const Kernels& search_kernels_ = kernelsFor (bestSimd());
   const FitKernels& kernels_ = fitKernels();
-  std::size_t nearest_;
+  int nearest_;
   NodeWalk walk_;
+  std::vector<std::int32_t> walked_;
+  std::vector<float> squared_distances_;
+  std::vector<std::int32_t> ranks_;
   std::array<Fit, LANES> fits_;
   int queued_ = 0;
   std::vector<HeightSample> samples_;
