@@ -6,6 +6,122 @@ namespace crest {
 
 namespace {
 
+PCL_CREST_INLINE void
+dot (const LaneVector& a, const LaneVector& b, Lanes& result)
+{
+  result = a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/** \brief Two axes across unit vectors (Duff et al. 2017). Those of the opposite vector
+ * are their exact mirror image.
+ */
+PCL_CREST_INLINE void
+findAxes (const LaneVector& n, LaneVector& x, LaneVector& y)
+{
+  Lanes sign;
+  for (int lane = 0; lane < LANES; ++lane)
+    sign[lane] = std::copysign (1.0, n.z[lane]);
+  const Lanes a = -1.0 / (sign + n.z);
+  const Lanes b = n.x * n.y * a;
+  x = {1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  y = {b, sign + n.y * n.y * a, -n.y};
+}
+
+/** \brief Principal curvatures of the quadrics with the shape matrices [a b; b c]. */
+PCL_CREST_INLINE void
+findPrincipal (const Lanes& a, const Lanes& b, const Lanes& c, QuadricFit& fit)
+{
+  const Lanes mean = 0.5 * (a + c);
+  const Lanes difference = 0.5 * (a - c);
+  Lanes radius = difference * difference + b * b;
+  takeRoots (radius);
+  const Lanes away = mean >= 0.0 ? radius : -radius;
+  fit.k1 = mean + away;
+  fit.k2 = mean - away;
+  // Of the two rows of (shape matrix - k1) the longer gives the direction safely.
+  const Lanes to_a = fit.k1 - a;
+  const Lanes to_c = fit.k1 - c;
+  const LaneMask second = to_c * to_c > to_a * to_a;
+  Lanes u = second ? to_c : b;
+  Lanes v = second ? b : to_a;
+  Lanes length = u * u + v * v;
+  takeRoots (length);
+  const LaneMask umbilic = length == 0.0; // any direction is principal
+  u = umbilic ? Lanes{} + 1.0 : u / length;
+  v = umbilic ? Lanes{} : v / length;
+  fit.t1 = {u * fit.x.x + v * fit.y.x,
+            u * fit.x.y + v * fit.y.y,
+            u * fit.x.z + v * fit.y.z};
+}
+
+PCL_CREST_INLINE void
+fitQuadrics (const LaneVector& normals,
+             const LaneVector* edges,
+             int count,
+             QuadricFit& fit)
+{
+  findAxes (normals, fit.x, fit.y);
+  Lanes uu = {};
+  Lanes uv = {};
+  Lanes vv = {};
+  Lanes uuuu = {};
+  Lanes uuuv = {};
+  Lanes uuvv = {};
+  Lanes uvvv = {};
+  Lanes vvvv = {};
+  Lanes zuu = {};
+  Lanes zuv = {};
+  Lanes zvv = {};
+  for (int i = 0; i < count; ++i) {
+    Lanes u;
+    Lanes v;
+    Lanes z;
+    dot (edges[i], fit.x, u);
+    dot (edges[i], fit.y, v);
+    dot (edges[i], normals, z);
+    const Lanes a = u * u;
+    const Lanes b = u * v;
+    const Lanes c = v * v;
+    uu += a;
+    uv += b;
+    vv += c;
+    uuuu += a * a;
+    uuuv += a * b;
+    uuvv += a * c;
+    uvvv += b * c;
+    vvvv += c * c;
+    zuu += z * a;
+    zuv += z * b;
+    zvv += z * c;
+  }
+  fit.uu = uu;
+  fit.uv = uv;
+  fit.vv = vv;
+  // Normal equations of (a, b, c) with the terms u^2 / 2, u v, v^2 / 2.
+  const Lanes aa = 0.25 * uuuu;
+  const Lanes ab = 0.5 * uuuv;
+  const Lanes ac = 0.25 * uuvv;
+  const Lanes bb = uuvv;
+  const Lanes bc = 0.5 * uvvv;
+  const Lanes cc = 0.25 * vvvv;
+  const Lanes za = 0.5 * zuu;
+  const Lanes zc = 0.5 * zvv;
+  const Lanes minor_aa = bb * cc - bc * bc;
+  const Lanes minor_ab = ac * bc - ab * cc;
+  const Lanes minor_ac = ab * bc - ac * bb;
+  const Lanes minor_bb = aa * cc - ac * ac;
+  const Lanes minor_bc = ab * ac - aa * bc;
+  const Lanes minor_cc = aa * bb - ab * ab;
+  const Lanes determinant = aa * minor_aa + ab * minor_ab + ac * minor_ac;
+  fit.independence = determinant / (aa * bb * cc);
+  // The height falls where the surface is convex: hence the signs.
+  const Lanes inverse = -1.0 / determinant;
+  findPrincipal (inverse * (minor_aa * za + minor_ab * zuv + minor_ac * zc),
+                 inverse * (minor_ab * za + minor_bb * zuv + minor_bc * zc),
+                 inverse * (minor_ac * za + minor_bc * zuv + minor_cc * zc),
+                 fit);
+}
+
 constexpr int DEGREE = CubicSums::DEGREE;
 
 /** \brief The place of u^a v^b among the monomials. */
@@ -162,6 +278,14 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
 #define PCL_CREST_FIT_KERNELS(NAME, TARGET)                                            \
   namespace NAME {                                                                     \
   TARGET void                                                                          \
+  fitQuadrics (const LaneVector& normals,                                              \
+               const LaneVector* edges,                                                \
+               int count,                                                              \
+               QuadricFit& fit)                                                        \
+  {                                                                                    \
+    crest::fitQuadrics (normals, edges, count, fit);                                   \
+  }                                                                                    \
+  TARGET void                                                                          \
   addHeights (const HeightSample* samples, int count, CubicSums& sums)                 \
   {                                                                                    \
     crest::addHeights (samples, count, sums);                                          \
@@ -184,7 +308,8 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
     else                                                                               \
       crest::fitProfiles<false> (samples, count, fit);                                 \
   }                                                                                    \
-  constexpr FitKernels KERNELS{addHeights, fitCubics, bendVariance, fitProfiles};      \
+  constexpr FitKernels KERNELS{                                                        \
+      fitQuadrics, addHeights, fitCubics, bendVariance, fitProfiles};                   \
   }
 
 PCL_CREST_FIT_KERNELS (portable, )

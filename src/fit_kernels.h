@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Least squares of the auto preset, four fits at a time.
+// Least squares, four fits at a time.
 #pragma once
 
 #include <pcl_crest/search/simd.h>
 
 #include "lanes.h"
+
+#include <Eigen/Core>
 
 namespace pcl {
 namespace crest {
@@ -19,6 +21,40 @@ struct HeightSample {
   {
     u[lane] = v[lane] = z[lane] = weight[lane] = 0.0;
   }
+};
+
+/** \brief A vector of each fit. */
+struct LaneVector {
+  Lanes x, y, z;
+
+  /** \brief That of one of them. */
+  Eigen::Vector3d
+  operator[] (int lane) const
+  {
+    return {x[lane], y[lane], z[lane]};
+  }
+
+  void
+  set (int lane, const Eigen::Vector3d& vector)
+  {
+    x[lane] = vector.x();
+    y[lane] = vector.y();
+    z[lane] = vector.z();
+  }
+};
+
+/** \brief Quadrics z = 1/2 (a u^2 + 2 b u v + c v^2), in frames of the tangent plane. */
+struct QuadricFit {
+  /** unit vectors of the directions of u and v */
+  LaneVector x, y;
+  /** sums of u^2, u v, v^2 */
+  Lanes uu, uv, vv;
+  /** how far the three terms are from being dependent: 0 where they are, at most 1 */
+  Lanes independence;
+  /** principal curvatures and the direction of k1, positive where the surface is convex
+   * seen from the side of the normal */
+  Lanes k1, k2;
+  LaneVector t1;
 };
 
 /** \brief The number of monomials u^a v^b of up to a degree. They are ordered by degree
@@ -75,6 +111,12 @@ struct ProfileFit {
 
 /** \brief The inner loops, for some instructions: all give the same results. */
 struct FitKernels {
+  /** \brief Fits quadrics to the edges from points; zero edges count for nothing. */
+  void (*fitQuadrics) (const LaneVector& normals,
+                       const LaneVector* edges,
+                       int count,
+                       QuadricFit& fit);
+
   /** \brief Adds samples to sums. */
   void (*addHeights) (const HeightSample* samples, int count, CubicSums& sums);
 

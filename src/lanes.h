@@ -17,8 +17,19 @@ constexpr int LANES = 4;
 using Lanes = double __attribute__ ((vector_size (LANES * sizeof (double)),
                                      aligned (LANES * sizeof (double))));
 
+/** \brief What comparing lanes gives: all bits of a lane, or none. */
+using LaneMask = long long __attribute__ ((vector_size (LANES * sizeof (long long)),
+                                          aligned (LANES * sizeof (long long))));
+
 /** \brief What is to be part of a function for certain instructions. */
 #define PCL_CREST_INLINE inline __attribute__ ((always_inline))
+
+PCL_CREST_INLINE void
+takeRoots (Lanes& squares)
+{
+  for (int lane = 0; lane < LANES; ++lane)
+    squares[lane] = std::sqrt (squares[lane]);
+}
 
 /** \brief The Cholesky factor L of positive definite matrices of a fixed size of about
  * ten. Eigen's, which is made for large ones too, calls kernels for parts of a few
@@ -44,8 +55,7 @@ struct LaneCholesky {
 #pragma GCC unroll 10
     for (int k = 0; k < N; ++k) {
       Lanes& pivot = factor[at (k, k)];
-      for (int l = 0; l < LANES; ++l)
-        pivot[l] = std::sqrt (pivot[l]);
+      takeRoots (pivot);
       pivot = 1.0 / pivot;
 #pragma GCC unroll 10
       for (int i = k + 1; i < N; ++i)
