@@ -100,7 +100,11 @@ public:
             std::uint8_t* flag = oneWay (p);
             for (const index_t q : star (p)) {
               const Star back = star (q);
-              *flag++ = std::find (back.begin(), back.end(), p) == back.end() ? 1 : 0;
+              // Where p is, is as good as random: there is no branch for it.
+              int known = 0;
+              for (const index_t r : back)
+                known |= static_cast<int> (r == p);
+              *flag++ = static_cast<std::uint8_t> (1 - known);
             }
           }
         });
