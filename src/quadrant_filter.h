@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -72,7 +73,7 @@ public:
   select (index_t point, std::vector<index_t>& neighbors)
   {
     const Eigen::Vector3d n = points_.normals[point].cast<double>();
-    nearest_.assign (intervals_, -1.0);
+    nearest_.assign (intervals_, EMPTY);
     std::size_t next = findNearest (n);
     if (nearest_candidates_.empty())
       return true;
@@ -80,16 +81,19 @@ public:
     const Eigen::Vector3d y = n.cross (x);
     int empty = intervals_;
     double farthest = 0.0;
+    std::size_t size = neighbors.size();
+    neighbors.resize (size + candidates_.size());
+    // What becomes of a candidate is as good as random: there is no branch for it.
     const auto take = [&] (const Candidate& candidate) {
       double& nearest =
           nearest_[interval (candidate.edge.dot (x), candidate.edge.dot (y))];
-      if (nearest < 0.0) {
-        nearest = candidate.squared_distance;
-        farthest = nearest;
-        --empty;
-      }
-      if (candidate.squared_distance <= nearest * (1.0 + EQUIDISTANT))
-        neighbors.push_back (candidate.point);
+      if (empty > 0)
+        farthest = candidate.squared_distance;
+      empty -= static_cast<int> (nearest == EMPTY);
+      nearest = std::min (nearest, candidate.squared_distance);
+      neighbors[size] = candidate.point;
+      size += static_cast<std::size_t> (candidate.squared_distance <=
+                                        nearest * (1.0 + EQUIDISTANT));
     };
     for (const Nearest& candidate : nearest_candidates_)
       take (*candidate.candidate);
@@ -100,10 +104,13 @@ public:
       if (isOnSheet (candidate, n))
         take (candidate);
     }
+    neighbors.resize (size);
     return empty >= per_quadrant_ && hasEmptyQuadrant();
   }
 
 private:
+  static constexpr double EMPTY = std::numeric_limits<double>::infinity();
+
   struct Candidate {
     double squared_distance;
     index_t point;
@@ -197,7 +204,7 @@ private:
   {
     int run = 0;
     for (int i = 0; i < intervals_ + per_quadrant_; ++i) {
-      run = nearest_[i % intervals_] < 0.0 ? run + 1 : 0;
+      run = nearest_[i % intervals_] == EMPTY ? run + 1 : 0;
       if (run == per_quadrant_)
         return true;
     }
@@ -212,7 +219,7 @@ private:
   std::vector<Eigen::Vector2d> borders_;
   std::vector<Candidate> candidates_;
   std::vector<Nearest> nearest_candidates_;
-  /** for each interval the squared distance of its nearest, or -1 */
+  /** for each interval the squared distance of its nearest, or EMPTY */
   std::vector<double> nearest_;
 };
 
