@@ -49,9 +49,8 @@ findPrincipal (const Lanes& a, const Lanes& b, const Lanes& c, QuadricFit& fit)
   const LaneMask umbilic = length == 0.0; // any direction is principal
   u = umbilic ? Lanes{} + 1.0 : u / length;
   v = umbilic ? Lanes{} : v / length;
-  fit.t1 = {u * fit.x.x + v * fit.y.x,
-            u * fit.x.y + v * fit.y.y,
-            u * fit.x.z + v * fit.y.z};
+  fit.t1 = {
+      u * fit.x.x + v * fit.y.x, u * fit.x.y + v * fit.y.y, u * fit.x.z + v * fit.y.z};
 }
 
 PCL_CREST_INLINE void
@@ -64,6 +63,7 @@ fitQuadrics (const LaneVector& normals,
   Lanes uu = {};
   Lanes uv = {};
   Lanes vv = {};
+  Lanes zz = {};
   Lanes uuuu = {};
   Lanes uuuv = {};
   Lanes uuvv = {};
@@ -85,6 +85,7 @@ fitQuadrics (const LaneVector& normals,
     uu += a;
     uv += b;
     vv += c;
+    zz += z * z;
     uuuu += a * a;
     uuuv += a * b;
     uuvv += a * c;
@@ -97,15 +98,22 @@ fitQuadrics (const LaneVector& normals,
   fit.uu = uu;
   fit.uv = uv;
   fit.vv = vv;
+  // In units of the star's size no product is too large or too small for a number.
+  const Lanes squared_unit = uu + vv + zz;
+  Lanes unit = squared_unit;
+  takeRoots (unit);
   // Normal equations of (a, b, c) with the terms u^2 / 2, u v, v^2 / 2.
-  const Lanes aa = 0.25 * uuuu;
-  const Lanes ab = 0.5 * uuuv;
-  const Lanes ac = 0.25 * uuvv;
-  const Lanes bb = uuvv;
-  const Lanes bc = 0.5 * uvvv;
-  const Lanes cc = 0.25 * vvvv;
-  const Lanes za = 0.5 * zuu;
-  const Lanes zc = 0.5 * zvv;
+  const Lanes products = 1.0 / (squared_unit * squared_unit);
+  const Lanes aa = 0.25 * products * uuuu;
+  const Lanes ab = 0.5 * products * uuuv;
+  const Lanes ac = 0.25 * products * uuvv;
+  const Lanes bb = products * uuvv;
+  const Lanes bc = 0.5 * products * uvvv;
+  const Lanes cc = 0.25 * products * vvvv;
+  const Lanes heights = products * unit;
+  const Lanes za = 0.5 * heights * zuu;
+  const Lanes zb = heights * zuv;
+  const Lanes zc = 0.5 * heights * zvv;
   const Lanes minor_aa = bb * cc - bc * bc;
   const Lanes minor_ab = ac * bc - ab * cc;
   const Lanes minor_ac = ab * bc - ac * bb;
@@ -115,10 +123,10 @@ fitQuadrics (const LaneVector& normals,
   const Lanes determinant = aa * minor_aa + ab * minor_ab + ac * minor_ac;
   fit.independence = determinant / (aa * bb * cc);
   // The height falls where the surface is convex: hence the signs.
-  const Lanes inverse = -1.0 / determinant;
-  findPrincipal (inverse * (minor_aa * za + minor_ab * zuv + minor_ac * zc),
-                 inverse * (minor_ab * za + minor_bb * zuv + minor_bc * zc),
-                 inverse * (minor_ac * za + minor_bc * zuv + minor_cc * zc),
+  const Lanes inverse = -1.0 / (determinant * unit);
+  findPrincipal (inverse * (minor_aa * za + minor_ab * zb + minor_ac * zc),
+                 inverse * (minor_ab * za + minor_bb * zb + minor_bc * zc),
+                 inverse * (minor_ac * za + minor_bc * zb + minor_cc * zc),
                  fit);
 }
 
@@ -309,7 +317,7 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
       crest::fitProfiles<false> (samples, count, fit);                                 \
   }                                                                                    \
   constexpr FitKernels KERNELS{                                                        \
-      fitQuadrics, addHeights, fitCubics, bendVariance, fitProfiles};                   \
+      fitQuadrics, addHeights, fitCubics, bendVariance, fitProfiles};                  \
   }
 
 PCL_CREST_FIT_KERNELS (portable, )

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -123,11 +124,13 @@ struct Principal {
 /** \brief Fits some nodes at a time. */
 class CubicFitter {
 public:
-  CubicFitter (const PyramidLevel& level, int nearest)
+  /** \param[in] to_unit brings coordinates to about one, so that squares are numbers */
+  CubicFitter (const PyramidLevel& level, int nearest, float to_unit)
   : level_ (level)
-  , nearest_ (static_cast<std::size_t> (nearest))
+  , nearest_ (nearest)
+  , to_unit_ (to_unit)
   , walk_ (level.graph)
-  , samples_ (nearest_)
+  , samples_ (static_cast<std::size_t> (nearest))
   {}
 
   /** \brief Fits a node together with others, at the latest when finish is called. */
@@ -195,11 +198,11 @@ private:
       for (; i < ring; ++i)
         walk_.expand (walk_[i], same_sheet);
     fit.node = node;
-    const double squared_radius = takeNearest (p, fit.nodes);
+    const double farthest = takeNearest (p, fit.nodes);
     if (fit.nodes.size() < LEAST_NODES)
       return false;
     // A little more, so that the farthest node, too, has a weight.
-    fit.radius = 1.02 * std::sqrt (squared_radius);
+    fit.radius = 1.02 * farthest;
     return fit.radius > 0.0;
   }
 
@@ -215,7 +218,8 @@ private:
     squared_distances_.resize (count + KERNEL_SLACK);
     for (std::size_t i = 0; i < count; ++i) {
       walked_[i] = walk_[i];
-      squared_distances_[i] = (level_.positions[walk_[i]] - p).squaredNorm();
+      squared_distances_[i] =
+          (to_unit_ * (level_.positions[walk_[i]] - p)).squaredNorm();
     }
     const int ranked = static_cast<int> (count);
     if (!search_kernels_.rankDistinct (
@@ -229,7 +233,7 @@ private:
         nodes.push_back (walked_[i]);
         largest = std::max (largest, squared_distances_[i]);
       }
-    return largest;
+    return std::sqrt (static_cast<double> (largest)) / to_unit_;
   }
 
   /** \brief One fit of each that is open; returns whether some have to be repeated with
@@ -336,6 +340,7 @@ private:
   const Kernels& search_kernels_ = kernelsFor (bestSimd());
   const FitKernels& kernels_ = fitKernels();
   int nearest_;
+  float to_unit_;
   NodeWalk walk_;
   std::vector<std::int32_t> walked_;
   std::vector<float> squared_distances_;
@@ -385,9 +390,13 @@ fitAtScale (const PyramidLevel& level,
             const Workers& workers)
 {
   std::vector<ScaleFit> fits = makeLarge (level.size(), ScaleFit());
+  float size = std::numeric_limits<float>::min();
+  for (const Eigen::Vector3f& p : level.positions)
+    size = std::max (size, p.cwiseAbs().maxCoeff());
+  const float to_unit = std::ldexp (1.0F, -std::ilogb (size));
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CubicFitter fitter (level, nearest);
+        CubicFitter fitter (level, nearest, to_unit);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0)
             fitter.fit (static_cast<index_t> (i), fits[i]);
