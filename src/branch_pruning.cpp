@@ -61,6 +61,32 @@ public:
     return nodes_[point].degree > 2;
   }
 
+  /** \brief Removes branches of one edge from junctions that are between two other points
+   * as well: all of these go, in whichever order.
+   * \param[in] edges those that the graph was made of
+   */
+  void
+  removeTwigs (const std::vector<CrestEdge>& edges)
+  {
+    std::vector<int> twigs = makeLarge (nodes_.size(), 0);
+    const auto forEachTwig = [&] (const auto& work) {
+      for (const CrestEdge& edge : edges) {
+        if (isEnd (edge.a) && isJunction (edge.b))
+          work (edge.a, edge.b);
+        else if (isEnd (edge.b) && isJunction (edge.a))
+          work (edge.b, edge.a);
+      }
+    };
+    forEachTwig ([&] (index_t, index_t junction) { ++twigs[junction]; });
+    forEachTwig ([&] (index_t end, index_t junction) {
+      if (nodes_[junction].degree - twigs[junction] < 2)
+        return;
+      nodes_[end] = Node();
+      detach (junction, end);
+      --twigs[junction];
+    });
+  }
+
   /** \brief Walks from an end to the next point that does not simply go on, or until
    * the path has `limit` points.
    */
@@ -78,9 +104,7 @@ public:
   {
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
       nodes_[path[i]] = Node();
-    Node& junction = nodes_[path.back()];
-    junction.neighbors ^= path[path.size() - 2];
-    --junction.degree;
+    detach (path.back(), path[path.size() - 2]);
   }
 
   /** \brief Erases those of the edges that the graph was made of that are removed. */
@@ -107,6 +131,13 @@ private:
   {
     nodes_[point].neighbors ^= neighbor;
     ++nodes_[point].degree;
+  }
+
+  void
+  detach (index_t point, index_t neighbor)
+  {
+    nodes_[point].neighbors ^= neighbor;
+    --nodes_[point].degree;
   }
 
   std::vector<Node> nodes_;
@@ -172,6 +203,7 @@ pruneBranches (const OrientedPoints& points,
     return static_cast<float> (path.size() - 1);
   };
   const std::size_t most = std::max<std::size_t> (1, largest);
+  trees.removeTwigs (forest);
   prune (points, static_cast<float> (most), most, count, trees);
   trees.eraseRemoved (forest);
   return forest;
