@@ -36,26 +36,30 @@ blendProfiles (const Eigen::Vector3d& sample,
         std::max (0.0, 1.0 - e.squaredNorm() / (REACH * window * REACH * window));
     const double w = std::max (g * g, least_weight);
     const double turn = fit.t1.dot (own.t1);
-    if (w == 0.0 || fit.k1 * own.k1 <= 0.0 || std::abs (turn) < SAME_DIRECTION)
+    const Eigen::Vector3d normal = fit.normal.cast<double>();
+    const Eigen::Vector3d t1 = fit.t1.cast<double>();
+    const double same_sign = static_cast<double> (fit.k1) * own.k1;
+    if (w == 0.0 || same_sign <= 0.0 || std::abs (turn) < SAME_DIRECTION)
       return;
     const double sign = turn > 0.0 ? 1.0 : -1.0;
-    const double u = e.dot (fit.t1);
-    const double v = e.dot (fit.normal.cross (fit.t1));
+    const double u = e.dot (t1);
+    const double v = e.dot (normal.cross (t1));
     const ProfileParabola at =
         polynomial.at (u / polynomial.window, v / polynomial.window);
     const double unit = window / polynomial.window;
     sum.profile.slope += w * sign * unit * at.slope;
     sum.profile.bend += w * unit * unit * at.bend;
     sum.profile.drift += w * sign * unit * at.drift;
-    sum.t1 += w * sign * fit.t1;
+    sum.t1 += w * sign * t1;
     sum.height +=
-        w * (fit.offset - 0.5 * (fit.k1 * u * u + fit.k2 * v * v) - e.dot (fit.normal));
+        w * (fit.offset - 0.5 * (fit.k1 * u * u + fit.k2 * v * v) - e.dot (normal));
     weights += w;
   };
   add (node, LEAST_WEIGHT);
   for (const index_t q : level.graph.star (node))
     add (q, 0.0);
-  const Eigen::Vector3d along = sum.t1 - sum.t1.dot (own.normal) * own.normal;
+  const Eigen::Vector3d normal = own.normal.cast<double>();
+  const Eigen::Vector3d along = sum.t1 - sum.t1.dot (normal) * normal;
   return {along.normalized(),
           sum.height / weights,
           {sum.profile.slope / weights,

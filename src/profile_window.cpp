@@ -38,8 +38,7 @@ public:
   void
   fit (index_t node, double window, ProfilePolynomial& result)
   {
-    result.window = window;
-    if (!gather (node, queued_, result))
+    if (!gather (node, window, queued_, result))
       return;
     results_[queued_] = &result;
     if (++queued_ == LANES)
@@ -62,7 +61,7 @@ public:
     for (int lane = 0; lane < queued_; ++lane) {
       ProfilePolynomial& result = *results_[lane];
       for (int i = 0; i < ProfileFit::TERMS; ++i)
-        result.coefficients[i] = fit.coefficients[i][lane];
+        result.coefficients[i] = static_cast<float> (fit.coefficients[i][lane]);
       result.valid = result.coefficients.allFinite();
     }
     queued_ = 0;
@@ -79,16 +78,18 @@ private:
    * result but its coefficients. Returns false if there is too little.
    */
   bool
-  gather (index_t node, int lane, ProfilePolynomial& result)
+  gather (index_t node, double window, int lane, ProfilePolynomial& result)
   {
     const ScaleFit& own = fits_[node];
-    const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
-    const Eigen::Vector3d t1 = own.t1 / result.window;
-    const Eigen::Vector3d t2 = own.normal.cross (t1);
-    const double squared_unit = 1.0 / (result.window * result.window);
+    const float sign = own.k1 > 0.0F ? 1.0F : -1.0F;
+    const Eigen::Vector3d normal = own.normal.cast<double>();
+    const Eigen::Vector3d t1 = own.t1.cast<double>() / window;
+    const Eigen::Vector3d t2 = normal.cross (t1);
+    const double squared_unit = 1.0 / (window * window);
     const double squared_shortening = 1.0 / (elongation_ * elongation_);
     const auto surface = [this] (index_t q) -> Eigen::Vector3d {
-      return level_.positions[q].cast<double>() + fits_[q].offset * fits_[q].normal;
+      return level_.positions[q].cast<double>() +
+             fits_[q].offset * fits_[q].normal.cast<double>();
     };
     const Eigen::Vector3d origin = surface (node);
 
@@ -97,8 +98,8 @@ private:
     std::size_t count = 0;
     double lowest_u = 1.0;
     double highest_u = -1.0;
-    result.first_u = 1.0;
-    result.last_u = -1.0;
+    double first_u = 1.0;
+    double last_u = -1.0;
     walk_.start (node);
     for (std::size_t reached = 0; reached < walk_.size();) {
       // Whether a node is in the window is as good as random: there is no branch for
@@ -131,17 +132,20 @@ private:
         sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
         sample.weight[lane] = in.weight;
         weight += in.weight;
-        variance += in.weight * fit.k1_error * fit.k1_error;
-        result.first_u = std::min (result.first_u, std::max (in.u, lowest_u));
+        variance += in.weight * std::pow (static_cast<double> (fit.k1_error), 2);
+        first_u = std::min (first_u, std::max (in.u, lowest_u));
         lowest_u = std::min (lowest_u, in.u);
-        result.last_u = std::max (result.last_u, std::min (in.u, highest_u));
+        last_u = std::max (last_u, std::min (in.u, highest_u));
         highest_u = std::max (highest_u, in.u);
       }
     }
+    result.window = static_cast<float> (window);
+    result.first_u = static_cast<float> (first_u);
+    result.last_u = static_cast<float> (last_u);
     if (!result.covers (0.0) || count < LEAST_NODES)
       return false;
     counts_[lane] = static_cast<int> (count);
-    result.k1_error = std::sqrt (variance / weight);
+    result.k1_error = static_cast<float> (std::sqrt (variance / weight));
     return true;
   }
 
@@ -174,7 +178,7 @@ ProfileParabola::bendOnCurvatureLine (double curvature_difference,
 ProfileParabola
 ProfilePolynomial::at (double u, double v) const
 {
-  const auto& c = coefficients;
+  const Eigen::Matrix<double, TERMS, 1> c = coefficients.cast<double>();
   return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v,
           c[2],
           c[3] + c[4] * u + 2.0 * c[5] * v + 2.0 * c[6] * u * v};

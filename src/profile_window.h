@@ -34,15 +34,14 @@ struct ProfilePolynomial {
   static constexpr int TERMS = 7;
 
   /** of 1, u, u^2, v, u v, v^2 and u v^2, the last 0 in a round window */
-  Eigen::Matrix<double, TERMS, 1> coefficients =
-      Eigen::Matrix<double, TERMS, 1>::Zero();
+  Eigen::Matrix<float, TERMS, 1> coefficients = Eigen::Matrix<float, TERMS, 1>::Zero();
   /** half its width along t1, in the cloud's unit */
-  double window = 0.0;
+  float window = 0.0F;
   /** standard error of k1 in it */
-  double k1_error = 0.0;
+  float k1_error = 0.0F;
   /** the second lowest and the second highest u of its nodes */
-  double first_u = 0.0;
-  double last_u = 0.0;
+  float first_u = 0.0F;
+  float last_u = 0.0F;
   bool valid = false;
 
   ProfileParabola

@@ -322,17 +322,19 @@ private:
     const double variance = c.residual / freedom;
     const double k1_variance = variance * CURVATURE_VARIANCE * kappa * bend_variance;
 
+    const Eigen::Vector3d t1 = principal.x * frame.x + principal.y * frame.y +
+                               (c.p * principal.x + c.q * principal.y) * frame.n;
+    const Eigen::Vector3d normal = fit.normalOf (c);
     ScaleFit& result = *fit.result;
-    result.k1 = principal.k1 / fit.radius;
-    result.k2 = principal.k2 / fit.radius;
-    result.t1 = (principal.x * frame.x + principal.y * frame.y +
-                 (c.p * principal.x + c.q * principal.y) * frame.n)
-                    .normalized();
-    result.normal = fit.normalOf (c);
-    result.offset = c.offset * fit.radius * frame.n.dot (result.normal);
-    result.radius = fit.radius;
-    result.noise = std::sqrt (variance) * fit.radius;
-    result.k1_error = std::sqrt (std::max (0.0, k1_variance)) / fit.radius;
+    result.k1 = static_cast<float> (principal.k1 / fit.radius);
+    result.k2 = static_cast<float> (principal.k2 / fit.radius);
+    result.t1 = t1.normalized().cast<float>();
+    result.normal = normal.cast<float>();
+    result.offset = static_cast<float> (c.offset * fit.radius * frame.n.dot (normal));
+    result.radius = static_cast<float> (fit.radius);
+    result.noise = static_cast<float> (std::sqrt (variance) * fit.radius);
+    result.k1_error =
+        static_cast<float> (std::sqrt (std::max (0.0, k1_variance)) / fit.radius);
     result.valid = true;
   }
 
@@ -360,12 +362,12 @@ poolNoise (const PyramidLevel& level,
 {
   std::vector<double> variance (fits.size());
   for (std::size_t i = 0; i < fits.size(); ++i)
-    variance[i] = fits[i].noise * fits[i].noise;
+    variance[i] = std::pow (static_cast<double> (fits[i].noise), 2);
   forEachBlock (
       fits.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           ScaleFit& fit = fits[i];
-          if (!fit.valid || !(fit.noise > 0.0))
+          if (!fit.valid || !(fit.noise > 0.0F))
             continue;
           double sum = variance[i];
           int count = 1;
@@ -375,8 +377,8 @@ poolNoise (const PyramidLevel& level,
               ++count;
             }
           const double pooled = std::sqrt (sum / count);
-          fit.k1_error *= pooled / fit.noise;
-          fit.noise = pooled;
+          fit.k1_error = static_cast<float> (fit.k1_error * pooled / fit.noise);
+          fit.noise = static_cast<float> (pooled);
         }
       });
 }

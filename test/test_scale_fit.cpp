@@ -36,7 +36,7 @@ TEST (ScaleFit, FindsTheCurvatureOfATorus)
       k1_errors.push_back (std::abs (run.fits[i].k1 - 2.5) / 2.5);
       k2_errors.push_back (std::abs (run.fits[i].k2 - cosine / (1.0 + 0.4 * cosine)));
       const Eigen::Vector3d around (-p.y() / axis, p.x() / axis, 0.0);
-      t1_errors.push_back (std::abs (run.fits[i].t1.dot (around)));
+      t1_errors.push_back (std::abs (run.fits[i].t1.cast<double>().dot (around)));
     }
     // What a cubic does not follow of a circle falls with the square of the radius.
     const double turn = 2.5 * run.fits[0].radius;
@@ -57,8 +57,8 @@ TEST (ScaleFit, LiesNearerToTheSurfaceThanItsNode)
   for (std::size_t i = 0; i < run.fits.size(); ++i) {
     const Eigen::Vector3d p = run.level.positions[i].cast<double>();
     node.push_back (std::abs (p.norm() - 1.0));
-    fit.push_back (
-        std::abs ((p + run.fits[i].offset * run.fits[i].normal).norm() - 1.0));
+    fit.push_back (std::abs (
+        (p + run.fits[i].offset * run.fits[i].normal.cast<double>()).norm() - 1.0));
   }
   EXPECT_LT (median (fit), 0.6 * median (node));
 }
