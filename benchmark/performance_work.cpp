@@ -2,6 +2,7 @@
 #include "performance_work.h"
 
 #include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/curvature.h>
 #include <pcl_crest/neighbor_search.h>
 #include <pcl_crest/search/leaf_search.h>
 
@@ -91,6 +92,33 @@ runAgain (const std::function<void (Parameters&)>& change,
   estimation.setAnalysis (estimation.getAnalysis());
   change (parameters);
   return {{"ms first", first}, {"ms rerun", milliseconds()}};
+}
+
+/** \brief The curvature of the preset paper with and without AVX2: the counters "ms
+ * avx2" and "ms portable".
+ */
+Counters
+curvatureBySimd (const Cloud& cloud, unsigned threads)
+{
+  pcl::CrestLineEstimation<PointNormal> estimation;
+  estimation.setInputCloud (cloud.points);
+  estimation.setPreset (Preset::PAPER);
+  estimation.setKeepAnalysis (true);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  const auto analysis = estimation.getAnalysis();
+  const auto milliseconds = [&] (Simd simd) {
+    const auto start = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize (pcl::crest::estimateCurvature (
+        *analysis->points, analysis->shape->graph, threads, simd));
+    return std::chrono::duration<double, std::milli> (std::chrono::steady_clock::now() -
+                                                      start)
+        .count();
+  };
+  // Memory is new to the first, which is not counted.
+  milliseconds (Simd::PORTABLE);
+  return {{"ms avx2", milliseconds (Simd::AVX2)},
+          {"ms portable", milliseconds (Simd::PORTABLE)}};
 }
 
 template <typename Estimation, typename Output>
@@ -286,6 +314,7 @@ listWork ()
                                     p.min_size = {30, 30};
                                   }),
                            searchWith ("search_portable", Simd::PORTABLE),
+                           {"curvature_simd", false, curvatureBySimd},
                            {"search_pcl", false, searchOfPcl},
                            {"search_nanoflann", false, nanoflannSearch},
                            {"search_flann", true, flannSearch},

@@ -5,6 +5,7 @@
 #include "large_arrays.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <queue>
 #include <tuple>
@@ -61,30 +62,33 @@ public:
     return nodes_[point].degree > 2;
   }
 
-  /** \brief Removes branches of one edge from junctions that are between two other points
-   * as well: all of these go, in whichever order.
-   * \param[in] edges those that the graph was made of
+  /** \brief Removes branches of one edge from junctions that are between two other
+   * points as well: all of these go, in whichever order. Most branches are such, and
+   * need not be sorted then. \param[in] edges those that the graph was made of
    */
   void
   removeTwigs (const std::vector<CrestEdge>& edges)
   {
-    std::vector<int> twigs = makeLarge (nodes_.size(), 0);
-    const auto forEachTwig = [&] (const auto& work) {
-      for (const CrestEdge& edge : edges) {
-        if (isEnd (edge.a) && isJunction (edge.b))
-          work (edge.a, edge.b);
-        else if (isEnd (edge.b) && isJunction (edge.a))
-          work (edge.b, edge.a);
-      }
+    // Of each point the neighbours that are no ends, counted up to two.
+    std::vector<std::uint8_t> inner = makeLarge<std::uint8_t> (nodes_.size(), 0);
+    const auto count = [&] (index_t point, index_t neighbor) {
+      if (!isEnd (neighbor) && inner[point] < 2)
+        ++inner[point];
     };
-    forEachTwig ([&] (index_t, index_t junction) { ++twigs[junction]; });
-    forEachTwig ([&] (index_t end, index_t junction) {
-      if (nodes_[junction].degree - twigs[junction] < 2)
+    for (const CrestEdge& edge : edges) {
+      count (edge.a, edge.b);
+      count (edge.b, edge.a);
+    }
+    const auto removeTwig = [&] (index_t end, index_t junction) {
+      if (!isEnd (end) || inner[junction] < 2)
         return;
       nodes_[end] = Node();
       detach (junction, end);
-      --twigs[junction];
-    });
+    };
+    for (const CrestEdge& edge : edges) {
+      removeTwig (edge.a, edge.b);
+      removeTwig (edge.b, edge.a);
+    }
   }
 
   /** \brief Walks from an end to the next point that does not simply go on, or until

@@ -368,11 +368,11 @@ isWorthATry (const OrientedPoints& points, const SurfaceGraph& graph, index_t sa
 }
 
 /** \brief Tests some samples at a time. */
-class CreaseTest {
+class CreaseFinder {
 public:
-  CreaseTest (const OrientedPoints& points,
-              const SurfaceGraph& graph,
-              std::vector<Crease>& creases)
+  CreaseFinder (const OrientedPoints& points,
+                const SurfaceGraph& graph,
+                std::vector<Crease>& creases)
   : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph))
   {}
 
@@ -380,7 +380,7 @@ public:
    * \param[in] found its neighbours
    */
   void
-  test (index_t sample, const std::vector<index_t>& found)
+  add (index_t sample, const std::vector<index_t>& found)
   {
     samples_[queued_] = sample;
     fitters_[queued_].setNeighbors (sample, found);
@@ -392,6 +392,8 @@ public:
   void
   finish ()
   {
+    if (queued_ == 0)
+      return;
     std::array<SmoothResiduals, LANES> residuals;
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
       smooth_.fit (WINDOWS[w]);
@@ -422,16 +424,16 @@ findCreases (const OrientedPoints& points,
   std::vector<Crease> creases = makeLarge (points.size(), Crease());
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CreaseTest test (points, graph, creases);
+        CreaseFinder finder (points, graph, creases);
         std::vector<index_t> found;
         for (std::size_t i = first; i < last; ++i) {
           const auto sample = static_cast<index_t> (i);
           if (!isWorthATry (points, graph, sample))
             continue;
           search (sample, found);
-          test.test (sample, found);
+          finder.add (sample, found);
         }
-        test.finish();
+        finder.finish();
       });
   return creases;
 }

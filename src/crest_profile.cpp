@@ -65,11 +65,12 @@ void
 describe (const ScaleFit& fit, double height, CrestProfile& profile)
 {
   if (!profile.curvature.valid)
-    profile.noise = fit.noise;
-  profile.curvature = {fit.k1, fit.k2, fit.t1, true};
+    profile.noise = static_cast<float> (fit.noise);
+  profile.curvature = {
+      static_cast<float> (fit.k1), static_cast<float> (fit.k2), fit.t1, true};
   profile.normal = fit.normal;
   profile.height = static_cast<float> (height);
-  profile.radius = fit.radius;
+  profile.radius = static_cast<float> (fit.radius);
 }
 
 /** \brief Takes in the profile of a sample where that is more certain than the one
@@ -100,11 +101,11 @@ readProfile (const OrientedPoints& points,
   const double window = polynomial.window;
   const double k1 = std::abs (own.k1);
   // Without any noise only rounding is left.
-  const double error = std::max<double> (polynomial.k1_error, 1e-9 / window);
+  const double error = std::max (polynomial.k1_error, 1e-9 / window);
   // The maximum along u is what is measured, and how certainly; how sharp it is takes
   // the line of curvature.
   const double bend = c.bendOnCurvatureLine (
-      std::max<double> (std::abs (own.k1 - own.k2), error), from.errors.slope * error);
+      std::max (std::abs (own.k1 - own.k2), error), from.errors.slope * error);
   const double slope_z = c.slope / (from.errors.slope * error);
   const double peak_z = -c.bend / (from.errors.bend * error);
   const double z = std::hypot (slope_z, peak_z);

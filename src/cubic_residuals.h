@@ -21,7 +21,7 @@ public:
   /** \param[in] most points of a fit */
   explicit CubicResiduals (int most) : samples_ (static_cast<std::size_t> (most)) {}
 
-  /** \brief Sets the points of a lane.
+  /** \brief Sets the points of a lane; what is fitted next starts anew for all lanes.
    * \param[in] normal the direction of heights
    * \param[in] size about the largest distance of a point from the origin
    * \param[in] count, position (i) the points
@@ -38,10 +38,10 @@ public:
     const Eigen::Vector3d y = normal.cross (x);
     for (std::size_t i = 0; i < count; ++i) {
       const Eigen::Vector3d& p = position (i);
-      HeightSample& sample = samples_[i];
+      LaneSample& sample = samples_[i];
       sample.u[lane] = p.dot (x);
       sample.v[lane] = p.dot (y);
-      sample.z[lane] = p.dot (normal);
+      sample.value[lane] = p.dot (normal);
       sample.weight[lane] = 1.0;
     }
     for (std::size_t i = count; i < samples_.size(); ++i)
@@ -76,7 +76,7 @@ public:
 
 private:
   const FitKernels& kernels_ = fitKernels();
-  std::vector<HeightSample> samples_;
+  std::vector<LaneSample> samples_;
   CubicSums sums_;
   int added_ = 0;
   CubicFit cubics_ = {};

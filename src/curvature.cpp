@@ -49,7 +49,9 @@ isOnOneLine (const QuadricFit& fit,
 /** \brief Fits some points at a time. */
 class QuadricFitter {
 public:
-  explicit QuadricFitter (const OrientedPoints& points) : points_ (points) {}
+  QuadricFitter (const OrientedPoints& points, Simd simd)
+  : points_ (points), kernels_ (fitKernels (simd))
+  {}
 
   /** \brief Fits a point together with others, at the latest when finish is called. */
   void
@@ -71,6 +73,8 @@ public:
   void
   finish ()
   {
+    if (queued_ == 0)
+      return;
     std::size_t most = 0;
     for (int lane = 0; lane < queued_; ++lane)
       most = std::max (most, fits_[lane].star_size);
@@ -84,12 +88,11 @@ public:
     constexpr double DEPENDENT = 1e-6;
     for (int lane = 0; lane < queued_; ++lane) {
       const auto& [point, star_size, result] = fits_[lane];
-      if (fit.independence[lane] > DEPENDENT && std::isfinite (fit.k1[lane]) &&
+      const auto k1 = static_cast<float> (fit.k1[lane]);
+      const auto k2 = static_cast<float> (fit.k2[lane]);
+      if (fit.independence[lane] > DEPENDENT && std::isfinite (k1) &&
           !isOnOneLine (fit, lane, star_size, points_.positions[point]))
-        *result = {static_cast<float> (fit.k1[lane]),
-                   static_cast<float> (fit.k2[lane]),
-                   fit.t1[lane].cast<float>(),
-                   true};
+        *result = {k1, k2, fit.t1[lane].cast<float>(), true};
     }
     queued_ = 0;
   }
@@ -102,7 +105,7 @@ private:
   };
 
   const OrientedPoints& points_;
-  const FitKernels& kernels_ = fitKernels();
+  const FitKernels& kernels_;
   LaneVector normals_ = {};
   std::vector<LaneVector> edges_;
   std::array<Fit, LANES> fits_ = {};
@@ -115,7 +118,7 @@ PrincipalCurvature
 fitQuadric (const OrientedPoints& points, index_t point, const Star& star)
 {
   PrincipalCurvature curvature = UNDETERMINED;
-  QuadricFitter fitter (points);
+  QuadricFitter fitter (points, bestSimd());
   fitter.fit (point, star, curvature);
   fitter.finish();
   return curvature;
@@ -124,12 +127,13 @@ fitQuadric (const OrientedPoints& points, index_t point, const Star& star)
 std::vector<PrincipalCurvature>
 estimateCurvature (const OrientedPoints& points,
                    const SurfaceGraph& graph,
-                   const Workers& workers)
+                   const Workers& workers,
+                   Simd simd)
 {
   std::vector<PrincipalCurvature> curvature = makeLarge (points.size(), UNDETERMINED);
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        QuadricFitter fitter (points);
+        QuadricFitter fitter (points, simd);
         for (std::size_t i = first; i < last; ++i) {
           const auto point = static_cast<index_t> (i);
           fitter.fit (point, graph.star (point), curvature[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fit_kernels.h"
 
+#include <cmath>
+
 namespace pcl {
 namespace crest {
 
@@ -149,9 +151,6 @@ constexpr Monomial CUBIC[CubicSums::TERMS] = {
 constexpr Monomial PROFILE[ProfileFit::TERMS] = {
     {0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}};
 
-// Loops over terms are unrolled: what they index then stays in registers, or has a
-// fixed place, which makes sums and solvers up to twice as fast.
-
 /** \brief The sum of the product of two terms. */
 template <int N>
 PCL_CREST_INLINE const Lanes&
@@ -161,12 +160,12 @@ product (const Lanes (&powers)[N], const Monomial& s, const Monomial& t)
 }
 
 PCL_CREST_INLINE void
-addHeights (const HeightSample* samples, int count, CubicSums& sums)
+addHeights (const LaneSample* samples, int count, CubicSums& sums)
 {
   constexpr int POWERS = monomials (2 * DEGREE);
   CubicSums s = sums;
   for (int i = 0; i < count; ++i) {
-    const HeightSample& sample = samples[i];
+    const LaneSample& sample = samples[i];
     Lanes powers[POWERS];
     powers[0] = sample.weight;
 #pragma GCC unroll 6
@@ -179,8 +178,8 @@ addHeights (const HeightSample* samples, int count, CubicSums& sums)
     }
 #pragma GCC unroll 10
     for (int j = 0; j < CubicSums::TERMS; ++j)
-      s.heights[j] += sample.z * powers[j];
-    s.squared_heights += sample.z * sample.z * sample.weight;
+      s.heights[j] += sample.value * powers[j];
+    s.squared_heights += sample.value * sample.value * sample.weight;
 #pragma GCC unroll 28
     for (int j = 0; j < POWERS; ++j)
       s.powers[j] += powers[j];
@@ -211,7 +210,7 @@ fitCubics (const CubicSums& sums, CubicFit& fit)
   matrix.solveUpper (x);
   for (int i = 0; i < N; ++i)
     fit.coefficients[i] = x[i];
-  fit.normal_matrix = matrix;
+  fit.factor = matrix;
 }
 
 PCL_CREST_INLINE void
@@ -223,32 +222,38 @@ bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& varian
   direction[FIRST] = 2.0 * x * x;
   direction[FIRST + 1] = 2.0 * x * y;
   direction[FIRST + 2] = 2.0 * y * y;
-  fit.normal_matrix.solveLower (direction, FIRST);
+  fit.factor.solveLower (direction, FIRST);
   variance = direction[FIRST] * direction[FIRST];
   for (int i = FIRST + 1; i < CubicSums::TERMS; ++i)
     variance += direction[i] * direction[i];
 }
 
-/** \brief Whether u^a v^b is the product of two terms of a profile. */
-constexpr bool
-isProduct (int a, int b, bool bent)
-{
-  return a + b <= 4 || (bent && b >= 2 && a >= 1 && a + b <= 6 && !(a == 3 && b == 3));
-}
-
-/** \brief The highest power of u or v in such a product. */
+/** \brief The highest power of u or v in a product of two terms of a profile. */
 constexpr int HIGHEST = 4;
+
+/** \brief Whether u^a v^b is such a product, of the first terms. */
+struct Products {
+  bool are[HIGHEST + 1][HIGHEST + 1] = {};
+
+  explicit constexpr Products (int terms)
+  {
+    for (int i = 0; i < terms; ++i)
+      for (int j = 0; j < terms; ++j)
+        are[PROFILE[i].a + PROFILE[j].a][PROFILE[i].b + PROFILE[j].b] = true;
+  }
+};
 
 template <bool BENT>
 PCL_CREST_INLINE void
-fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
+fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
 {
   constexpr int N = BENT ? ProfileFit::TERMS : ProfileFit::TERMS - 1;
+  constexpr Products PRODUCTS (N);
   constexpr double OPEN = 1e-5;
   Lanes powers[HIGHEST + 1][HIGHEST + 1] = {};
   Lanes x[N] = {};
   for (int i = 0; i < count; ++i) {
-    const ProfileSample& s = samples[i];
+    const LaneSample& s = samples[i];
     Lanes power[HIGHEST + 1][HIGHEST + 1];
     power[0][0] = s.weight;
 #pragma GCC unroll 5
@@ -259,7 +264,7 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
       for (int b = 0; b <= HIGHEST; ++b) {
         if (b > 0)
           power[a][b] = power[a][b - 1] * s.v;
-        if (isProduct (a, b, BENT))
+        if (PRODUCTS.are[a][b])
           powers[a][b] += power[a][b];
       }
     }
@@ -294,7 +299,7 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
     crest::fitQuadrics (normals, edges, count, fit);                                   \
   }                                                                                    \
   TARGET void                                                                          \
-  addHeights (const HeightSample* samples, int count, CubicSums& sums)                 \
+  addHeights (const LaneSample* samples, int count, CubicSums& sums)                   \
   {                                                                                    \
     crest::addHeights (samples, count, sums);                                          \
   }                                                                                    \
@@ -309,7 +314,7 @@ fitProfiles (const ProfileSample* samples, int count, ProfileFit& fit)
     crest::bendVariance (fit, x, y, variance);                                         \
   }                                                                                    \
   TARGET void                                                                          \
-  fitProfiles (const ProfileSample* samples, int count, bool bent, ProfileFit& fit)    \
+  fitProfiles (const LaneSample* samples, int count, bool bent, ProfileFit& fit)       \
   {                                                                                    \
     if (bent)                                                                          \
       crest::fitProfiles<true> (samples, count, fit);                                  \

@@ -4,22 +4,22 @@
 
 #include <pcl_crest/search/simd.h>
 
-#include "lanes.h"
-
 #include <Eigen/Core>
+
+#include "lanes.h"
 
 namespace pcl {
 namespace crest {
 
-/** \brief A sample of each fit: its height z over (u, v), with a weight. */
-struct HeightSample {
-  Lanes u, v, z, weight;
+/** \brief A sample of each fit: a value, as its height, at (u, v), with a weight. */
+struct LaneSample {
+  Lanes u, v, value, weight;
 
   /** \brief Makes it none of one of the fits. */
   void
   clear (int lane)
   {
-    u[lane] = v[lane] = z[lane] = weight[lane] = 0.0;
+    u[lane] = v[lane] = value[lane] = weight[lane] = 0.0;
   }
 };
 
@@ -43,7 +43,8 @@ struct LaneVector {
   }
 };
 
-/** \brief Quadrics z = 1/2 (a u^2 + 2 b u v + c v^2), in frames of the tangent plane. */
+/** \brief Quadrics z = 1/2 (a u^2 + 2 b u v + c v^2), in frames of the tangent plane.
+ */
 struct QuadricFit {
   /** unit vectors of the directions of u and v */
   LaneVector x, y;
@@ -84,22 +85,11 @@ struct CubicSums {
 struct CubicFit {
   /** of each monomial */
   Lanes coefficients[CubicSums::TERMS];
-  /** weighted sum of squares that the cubic leaves; where heights are no function of
-   * the place, as seen along a face, not a number */
+  /** weighted sum of squares that the cubic leaves; not finite where heights are no
+   * function of the place, as seen along a face */
   Lanes residual;
-  LaneCholesky<CubicSums::TERMS> normal_matrix;
-};
-
-/** \brief A value of each fit at (u, v), with a weight. */
-struct ProfileSample {
-  Lanes u, v, value, weight;
-
-  /** \brief Makes it none of one of the fits. */
-  void
-  clear (int lane)
-  {
-    u[lane] = v[lane] = value[lane] = weight[lane] = 0.0;
-  }
+  /** of the normal equations' matrix */
+  LaneCholesky<CubicSums::TERMS> factor;
 };
 
 /** \brief Polynomials with the terms 1, u, u^2, v, u v, v^2, u v^2. */
@@ -118,7 +108,7 @@ struct FitKernels {
                        QuadricFit& fit);
 
   /** \brief Adds samples to sums. */
-  void (*addHeights) (const HeightSample* samples, int count, CubicSums& sums);
+  void (*addHeights) (const LaneSample* samples, int count, CubicSums& sums);
 
   /** \brief Solves the normal equations. Samples on few lines leave some terms open:
    * these become zero.
@@ -137,7 +127,7 @@ struct FitKernels {
   /** \brief Fits values.
    * \param[in] bent whether there is a term u v^2; its coefficient is 0 if not
    */
-  void (*fitProfiles) (const ProfileSample* samples,
+  void (*fitProfiles) (const LaneSample* samples,
                        int count,
                        bool bent,
                        ProfileFit& fit);

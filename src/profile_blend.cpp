@@ -38,8 +38,7 @@ blendProfiles (const Eigen::Vector3d& sample,
     const double turn = fit.t1.dot (own.t1);
     const Eigen::Vector3d normal = fit.normal.cast<double>();
     const Eigen::Vector3d t1 = fit.t1.cast<double>();
-    const double same_sign = static_cast<double> (fit.k1) * own.k1;
-    if (w == 0.0 || same_sign <= 0.0 || std::abs (turn) < SAME_DIRECTION)
+    if (w == 0.0 || fit.k1 * own.k1 <= 0.0 || std::abs (turn) < SAME_DIRECTION)
       return;
     const double sign = turn > 0.0 ? 1.0 : -1.0;
     const double u = e.dot (t1);

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include "fit_kernels.h"
 #include "large_arrays.h"
 #include "node_walk.h"
 #include "parallel.h"
@@ -50,18 +49,17 @@ public:
   {
     if (queued_ == 0)
       return;
-    int most = 0;
-    for (int lane = 0; lane < LANES; ++lane)
-      most = std::max (most, lane < queued_ ? counts_[lane] : 0);
-    for (int lane = 0; lane < LANES; ++lane)
-      for (int i = lane < queued_ ? counts_[lane] : 0; i < most; ++i)
+    const int most = *std::max_element (counts_.begin(), counts_.begin() + queued_);
+    for (int lane = 0; lane < queued_; ++lane)
+      for (int i = counts_[lane]; i < most; ++i)
         samples_[i].clear (lane);
     ProfileFit fit;
     kernels_.fitProfiles (samples_.data(), most, elongation_ != 1.0, fit);
     for (int lane = 0; lane < queued_; ++lane) {
       ProfilePolynomial& result = *results_[lane];
       for (int i = 0; i < ProfileFit::TERMS; ++i)
-        result.coefficients[i] = static_cast<float> (fit.coefficients[i][lane]);
+        result.coefficients[i] =
+            static_cast<float> (result.window * fit.coefficients[i][lane]);
       result.valid = result.coefficients.allFinite();
     }
     queued_ = 0;
@@ -81,7 +79,7 @@ private:
   gather (index_t node, double window, int lane, ProfilePolynomial& result)
   {
     const ScaleFit& own = fits_[node];
-    const float sign = own.k1 > 0.0F ? 1.0F : -1.0F;
+    const double sign = own.k1 > 0.0 ? 1.0 : -1.0;
     const Eigen::Vector3d normal = own.normal.cast<double>();
     const Eigen::Vector3d t1 = own.t1.cast<double>() / window;
     const Eigen::Vector3d t2 = normal.cross (t1);
@@ -126,26 +124,26 @@ private:
         const Inside& in = inside_[i];
         walk_.expand (in.node);
         const ScaleFit& fit = fits_[in.node];
-        ProfileSample& sample = samples_[count++];
+        LaneSample& sample = samples_[count++];
         sample.u[lane] = in.u;
         sample.v[lane] = in.v;
         sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
         sample.weight[lane] = in.weight;
         weight += in.weight;
-        variance += in.weight * std::pow (static_cast<double> (fit.k1_error), 2);
+        variance += in.weight * fit.k1_error * fit.k1_error;
         first_u = std::min (first_u, std::max (in.u, lowest_u));
         lowest_u = std::min (lowest_u, in.u);
         last_u = std::max (last_u, std::min (in.u, highest_u));
         highest_u = std::max (highest_u, in.u);
       }
     }
-    result.window = static_cast<float> (window);
+    result.window = window;
     result.first_u = static_cast<float> (first_u);
     result.last_u = static_cast<float> (last_u);
     if (!result.covers (0.0) || count < LEAST_NODES)
       return false;
     counts_[lane] = static_cast<int> (count);
-    result.k1_error = static_cast<float> (std::sqrt (variance / weight));
+    result.k1_error = std::sqrt (variance / weight);
     return true;
   }
 
@@ -155,7 +153,7 @@ private:
   double elongation_;
   NodeWalk walk_;
   std::vector<Inside> inside_;
-  std::vector<ProfileSample> samples_;
+  std::vector<LaneSample> samples_;
   std::array<int, LANES> counts_{};
   std::array<ProfilePolynomial*, LANES> results_{};
   int queued_ = 0;
@@ -178,7 +176,7 @@ ProfileParabola::bendOnCurvatureLine (double curvature_difference,
 ProfileParabola
 ProfilePolynomial::at (double u, double v) const
 {
-  const Eigen::Matrix<double, TERMS, 1> c = coefficients.cast<double>();
+  const Eigen::Matrix<double, TERMS, 1> c = coefficients.cast<double>() / window;
   return {c[1] + 2.0 * c[2] * u + c[4] * v + c[6] * v * v,
           c[2],
           c[3] + c[4] * u + 2.0 * c[5] * v + 2.0 * c[6] * u * v};

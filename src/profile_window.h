@@ -4,6 +4,8 @@
 
 #include <pcl_crest/scale_fit.h>
 
+#include "fit_kernels.h"
+
 namespace pcl {
 namespace crest {
 
@@ -31,14 +33,15 @@ struct ProfileParabola {
  * along t1 and v along t2, both in units of the window.
  */
 struct ProfilePolynomial {
-  static constexpr int TERMS = 7;
+  static constexpr int TERMS = ProfileFit::TERMS;
 
-  /** of 1, u, u^2, v, u v, v^2 and u v^2, the last 0 in a round window */
+  /** of 1, u, u^2, v, u v, v^2 and u v^2, the last 0 in a round window; times the
+   * window, which leaves no unit */
   Eigen::Matrix<float, TERMS, 1> coefficients = Eigen::Matrix<float, TERMS, 1>::Zero();
   /** half its width along t1, in the cloud's unit */
-  float window = 0.0F;
+  double window = 0.0;
   /** standard error of k1 in it */
-  float k1_error = 0.0F;
+  double k1_error = 0.0;
   /** the second lowest and the second highest u of its nodes */
   float first_u = 0.0F;
   float last_u = 0.0F;

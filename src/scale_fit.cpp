@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace pcl {
 namespace crest {
@@ -124,11 +124,9 @@ struct Principal {
 /** \brief Fits some nodes at a time. */
 class CubicFitter {
 public:
-  /** \param[in] to_unit brings coordinates to about one, so that squares are numbers */
-  CubicFitter (const PyramidLevel& level, int nearest, float to_unit)
+  CubicFitter (const PyramidLevel& level, int nearest)
   : level_ (level)
   , nearest_ (nearest)
-  , to_unit_ (to_unit)
   , walk_ (level.graph)
   , samples_ (static_cast<std::size_t> (nearest))
   {}
@@ -207,33 +205,47 @@ private:
   }
 
   /** \brief Takes the nearest nodes of the walk, of equally near ones those of lower
-   * index. \return the largest of their squared distances
+   * index.
+   * \return the distance of the farthest of them
    */
-  float
+  double
   takeNearest (const Eigen::Vector3f& p, std::vector<index_t>& nodes)
   {
-    const std::size_t count = walk_.size();
-    for (auto* const array : {&walked_, &ranks_})
-      array->resize (count + KERNEL_SLACK);
-    squared_distances_.resize (count + KERNEL_SLACK);
-    for (std::size_t i = 0; i < count; ++i) {
-      walked_[i] = walk_[i];
-      squared_distances_[i] =
-          (to_unit_ * (level_.positions[walk_[i]] - p)).squaredNorm();
+    candidates_.resize (walk_.size());
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const index_t q = walk_[i];
+      const double squared = (level_.positions[q] - p).cast<double>().squaredNorm();
+      candidates_[i] = {squared, q};
+      farthest = std::max (farthest, squared);
     }
-    const int ranked = static_cast<int> (count);
-    if (!search_kernels_.rankDistinct (
-            squared_distances_.data(), ranked, ranks_.data()))
-      search_kernels_.rankTied (
-          squared_distances_.data(), walked_.data(), ranked, ranks_.data());
-    float largest = 0.0F;
+    // Ranking takes the square of what there is, which is few but around hubs.
+    const auto most_ranked = static_cast<std::size_t> (4 * nearest_);
+    if (candidates_.size() > most_ranked) {
+      std::nth_element (
+          candidates_.begin(), candidates_.begin() + nearest_, candidates_.end());
+      candidates_.resize (static_cast<std::size_t> (nearest_));
+    }
+    const std::size_t count = candidates_.size();
+    parts_.resize (count + KERNEL_SLACK);
+    nodes_.resize (count + KERNEL_SLACK);
+    ranks_.resize (count + KERNEL_SLACK);
+    const double scale = farthest > 0.0 ? 1.0 / farthest : 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      parts_[i] = static_cast<float> (scale * candidates_[i].first);
+      nodes_[i] = candidates_[i].second;
+    }
+    const auto ranked = static_cast<int> (count);
+    if (!search_kernels_.rankDistinct (parts_.data(), ranked, ranks_.data()))
+      search_kernels_.rankTied (parts_.data(), nodes_.data(), ranked, ranks_.data());
+    farthest = 0.0;
     nodes.clear();
     for (std::size_t i = 0; i < count; ++i)
       if (ranks_[i] < nearest_) {
-        nodes.push_back (walked_[i]);
-        largest = std::max (largest, squared_distances_[i]);
+        nodes.push_back (candidates_[i].second);
+        farthest = std::max (farthest, candidates_[i].first);
       }
-    return std::sqrt (static_cast<double> (largest)) / to_unit_;
+    return std::sqrt (farthest);
   }
 
   /** \brief One fit of each that is open; returns whether some have to be repeated with
@@ -296,10 +308,10 @@ private:
       const double g = 1.0 - e.squaredNorm();
       const double kernel = g * g;
       const double weight = kernel * level_.weights[q];
-      HeightSample& sample = samples_[i];
+      LaneSample& sample = samples_[i];
       sample.u[lane] = e.dot (fit.frame.x);
       sample.v[lane] = e.dot (fit.frame.y);
-      sample.z[lane] = e.dot (fit.frame.n);
+      sample.value[lane] = e.dot (fit.frame.n);
       sample.weight[lane] = weight;
       fit.kernel += kernel;
       fit.kernel_weight += weight * kernel;
@@ -326,15 +338,14 @@ private:
                                (c.p * principal.x + c.q * principal.y) * frame.n;
     const Eigen::Vector3d normal = fit.normalOf (c);
     ScaleFit& result = *fit.result;
-    result.k1 = static_cast<float> (principal.k1 / fit.radius);
-    result.k2 = static_cast<float> (principal.k2 / fit.radius);
+    result.k1 = principal.k1 / fit.radius;
+    result.k2 = principal.k2 / fit.radius;
     result.t1 = t1.normalized().cast<float>();
     result.normal = normal.cast<float>();
-    result.offset = static_cast<float> (c.offset * fit.radius * frame.n.dot (normal));
-    result.radius = static_cast<float> (fit.radius);
-    result.noise = static_cast<float> (std::sqrt (variance) * fit.radius);
-    result.k1_error =
-        static_cast<float> (std::sqrt (std::max (0.0, k1_variance)) / fit.radius);
+    result.offset = c.offset * fit.radius * frame.n.dot (normal);
+    result.radius = fit.radius;
+    result.noise = std::sqrt (variance) * fit.radius;
+    result.k1_error = std::sqrt (std::max (0.0, k1_variance)) / fit.radius;
     result.valid = true;
   }
 
@@ -342,14 +353,16 @@ private:
   const Kernels& search_kernels_ = kernelsFor (bestSimd());
   const FitKernels& kernels_ = fitKernels();
   int nearest_;
-  float to_unit_;
   NodeWalk walk_;
-  std::vector<std::int32_t> walked_;
-  std::vector<float> squared_distances_;
+  /** what a walk has reached, with squared distances */
+  std::vector<std::pair<double, index_t>> candidates_;
+  /** of these as parts of the largest */
+  std::vector<float> parts_;
+  std::vector<std::int32_t> nodes_;
   std::vector<std::int32_t> ranks_;
   std::array<Fit, LANES> fits_;
   int queued_ = 0;
-  std::vector<HeightSample> samples_;
+  std::vector<LaneSample> samples_;
 };
 
 /** \brief Replaces each node's estimate of the noise by the mean over its star: one
@@ -362,12 +375,12 @@ poolNoise (const PyramidLevel& level,
 {
   std::vector<double> variance (fits.size());
   for (std::size_t i = 0; i < fits.size(); ++i)
-    variance[i] = std::pow (static_cast<double> (fits[i].noise), 2);
+    variance[i] = fits[i].noise * fits[i].noise;
   forEachBlock (
       fits.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           ScaleFit& fit = fits[i];
-          if (!fit.valid || !(fit.noise > 0.0F))
+          if (!fit.valid || !(fit.noise > 0.0))
             continue;
           double sum = variance[i];
           int count = 1;
@@ -377,8 +390,8 @@ poolNoise (const PyramidLevel& level,
               ++count;
             }
           const double pooled = std::sqrt (sum / count);
-          fit.k1_error = static_cast<float> (fit.k1_error * pooled / fit.noise);
-          fit.noise = static_cast<float> (pooled);
+          fit.k1_error *= pooled / fit.noise;
+          fit.noise = pooled;
         }
       });
 }
@@ -392,13 +405,9 @@ fitAtScale (const PyramidLevel& level,
             const Workers& workers)
 {
   std::vector<ScaleFit> fits = makeLarge (level.size(), ScaleFit());
-  float size = std::numeric_limits<float>::min();
-  for (const Eigen::Vector3f& p : level.positions)
-    size = std::max (size, p.cwiseAbs().maxCoeff());
-  const float to_unit = std::ldexp (1.0F, -std::ilogb (size));
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CubicFitter fitter (level, nearest, to_unit);
+        CubicFitter fitter (level, nearest);
         for (std::size_t i = first; i < last; ++i)
           if (needed[i] != 0)
             fitter.fit (static_cast<index_t> (i), fits[i]);

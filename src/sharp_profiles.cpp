@@ -44,10 +44,11 @@ profileOf (const ScaleFit& fit)
   profile.foot = std::numeric_limits<float>::infinity();
   if (!fit.valid)
     return profile;
-  profile.curvature = {fit.k1, fit.k2, fit.t1, true};
+  profile.curvature = {
+      static_cast<float> (fit.k1), static_cast<float> (fit.k2), fit.t1, true};
   profile.normal = fit.normal;
-  profile.noise = fit.noise;
-  profile.radius = fit.radius;
+  profile.noise = static_cast<float> (fit.noise);
+  profile.radius = static_cast<float> (fit.radius);
   profile.scale = 0;
   return profile;
 }

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <random>
-#include <string>
 #include <vector>
 
 using namespace pcl::crest;
@@ -18,19 +17,18 @@ namespace {
 constexpr int SAMPLES = 45;
 
 /** \brief Random numbers, other ones in each lane; the last lane has fewer samples. */
-template <typename Sample>
-std::vector<Sample>
-randomSamples (Lanes Sample::*value)
+std::vector<LaneSample>
+randomSamples ()
 {
   std::mt19937 random (1);
   std::uniform_real_distribution<double> number (-1.0, 1.0);
-  std::vector<Sample> samples (SAMPLES);
+  std::vector<LaneSample> samples (SAMPLES);
   for (int i = 0; i < SAMPLES; ++i)
     for (int lane = 0; lane < LANES; ++lane) {
-      Sample& s = samples[i];
+      LaneSample& s = samples[i];
       s.u[lane] = number (random);
       s.v[lane] = number (random);
-      (s.*value)[lane] = number (random);
+      s.value[lane] = number (random);
       s.weight[lane] = 1.1 + number (random);
       if (lane == LANES - 1 && i >= 30)
         s.clear (lane);
@@ -38,30 +36,28 @@ randomSamples (Lanes Sample::*value)
   return samples;
 }
 
-/** \brief The same least squares problem, weights included. */
-template <typename Sample, typename Row>
-Eigen::VectorXd
-solveByQr (const std::vector<Sample>& samples,
-           Lanes Sample::*value,
-           int lane,
-           int terms,
-           const Row& row,
-           Eigen::MatrixXd& matrix,
-           double& residual)
-{
-  matrix.resize (SAMPLES, terms);
-  Eigen::VectorXd values (SAMPLES);
-  for (int i = 0; i < SAMPLES; ++i) {
-    const Sample& s = samples[i];
-    const double root = std::sqrt (s.weight[lane]);
-    for (int j = 0; j < terms; ++j)
-      matrix (i, j) = root * row (j, s.u[lane], s.v[lane]);
-    values[i] = root * (s.*value)[lane];
+/** \brief The same least squares problem, weights included, and its solution. */
+struct ByQr {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd solution;
+  double residual;
+
+  template <typename Term>
+  ByQr (const std::vector<LaneSample>& samples, int lane, int terms, const Term& term)
+  : matrix (SAMPLES, terms)
+  {
+    Eigen::VectorXd values (SAMPLES);
+    for (int i = 0; i < SAMPLES; ++i) {
+      const LaneSample& s = samples[i];
+      const double root = std::sqrt (s.weight[lane]);
+      for (int j = 0; j < terms; ++j)
+        matrix (i, j) = root * term (j, s.u[lane], s.v[lane]);
+      values[i] = root * s.value[lane];
+    }
+    solution = matrix.colPivHouseholderQr().solve (values);
+    residual = (matrix * solution - values).squaredNorm();
   }
-  const Eigen::VectorXd solution = matrix.colPivHouseholderQr().solve (values);
-  residual = (matrix * solution - values).squaredNorm();
-  return solution;
-}
+};
 
 double
 cubicTerm (int i, double u, double v)
@@ -78,6 +74,48 @@ profileTerm (int i, double u, double v)
   return terms[i];
 }
 
+double
+quadricTerm (int i, double u, double v)
+{
+  const double terms[] = {0.5 * u * u, u * v, 0.5 * v * v};
+  return terms[i];
+}
+
+/** \brief Edges and unit normals; the last lane has fewer edges. */
+struct Stars {
+  LaneVector normals;
+  std::vector<LaneVector> edges;
+
+  Stars() : edges (SAMPLES)
+  {
+    std::mt19937 random (2);
+    std::normal_distribution<double> number;
+    const auto vector = [&] {
+      const double x = number (random);
+      const double y = number (random);
+      return Eigen::Vector3d (x, y, number (random));
+    };
+    for (int lane = 0; lane < LANES; ++lane) {
+      normals.set (lane, vector().normalized());
+      for (int i = 0; i < SAMPLES; ++i)
+        edges[i].set (lane,
+                      lane == LANES - 1 && i >= 30 ? Eigen::Vector3d::Zero().eval()
+                                                   : vector());
+    }
+    // Where the sign of z decides how axes are made.
+    normals.set (0, -Eigen::Vector3d::UnitZ());
+    normals.set (1, Eigen::Vector3d::UnitX());
+  }
+
+  QuadricFit
+  fit (const FitKernels& kernels) const
+  {
+    QuadricFit result;
+    kernels.fitQuadrics (normals, edges.data(), SAMPLES, result);
+    return result;
+  }
+};
+
 void
 expectSame (const Lanes& a, const Lanes& b)
 {
@@ -87,9 +125,53 @@ expectSame (const Lanes& a, const Lanes& b)
 
 } // namespace
 
+TEST (FitKernels, FitQuadricsAsQrDoes)
+{
+  const Stars stars;
+  const QuadricFit fit = stars.fit (fitKernels());
+  for (int lane = 0; lane < LANES; ++lane) {
+    const Eigen::Vector3d n = stars.normals[lane];
+    const Eigen::Vector3d x = fit.x[lane];
+    const Eigen::Vector3d y = fit.y[lane];
+    Eigen::Matrix3d frame;
+    frame << x, y, n;
+    EXPECT_TRUE (frame.isUnitary (1e-12)) << frame;
+    std::vector<LaneSample> samples (SAMPLES);
+    for (int i = 0; i < SAMPLES; ++i) {
+      const Eigen::Vector3d e = stars.edges[i][lane];
+      samples[i].u[lane] = e.dot (x);
+      samples[i].v[lane] = e.dot (y);
+      samples[i].value[lane] = e.dot (n);
+      samples[i].weight[lane] = 1.0;
+    }
+    const Eigen::VectorXd shape = ByQr (samples, lane, 3, quadricTerm).solution;
+    Eigen::Matrix2d matrix;
+    matrix << -shape[0], -shape[1], -shape[1], -shape[2];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver (matrix);
+    const Eigen::Vector2d k = solver.eigenvalues();
+    const int larger = std::abs (k[0]) > std::abs (k[1]) ? 0 : 1;
+    EXPECT_NEAR (fit.k1[lane], k[larger], 1e-10);
+    EXPECT_NEAR (fit.k2[lane], k[1 - larger], 1e-10);
+    const Eigen::Vector2d direction = solver.eigenvectors().col (larger);
+    const Eigen::Vector3d t1 = direction.x() * x + direction.y() * y;
+    EXPECT_NEAR (std::abs (t1.dot (fit.t1[lane])), 1.0, 1e-10);
+  }
+}
+
+TEST (FitKernels, QuadricsOfOppositeNormalsAreMirrorImages)
+{
+  Stars stars;
+  const QuadricFit fit = stars.fit (fitKernels());
+  for (int lane = 0; lane < LANES; ++lane)
+    stars.normals.set (lane, -stars.normals[lane]);
+  const QuadricFit opposite = stars.fit (fitKernels());
+  expectSame (fit.k1, -opposite.k1);
+  expectSame (fit.k2, -opposite.k2);
+}
+
 TEST (FitKernels, FitCubicsAsQrDoes)
 {
-  const auto samples = randomSamples<HeightSample> (&HeightSample::z);
+  const auto samples = randomSamples();
   const FitKernels& kernels = fitKernels();
   // In parts, as windows that grow do.
   CubicSums sums;
@@ -102,36 +184,30 @@ TEST (FitKernels, FitCubicsAsQrDoes)
   Lanes variance;
   kernels.bendVariance (fit, Lanes{} + x, Lanes{} + y, variance);
   for (int lane = 0; lane < LANES; ++lane) {
-    Eigen::MatrixXd matrix;
-    double residual = 0.0;
-    const Eigen::VectorXd solution = solveByQr (
-        samples, &HeightSample::z, lane, CubicSums::TERMS, cubicTerm, matrix, residual);
+    const ByQr qr (samples, lane, CubicSums::TERMS, cubicTerm);
     for (int i = 0; i < CubicSums::TERMS; ++i)
-      EXPECT_NEAR (fit.coefficients[i][lane], solution[i], 1e-6) << i;
-    EXPECT_NEAR (fit.residual[lane], residual, 1e-6);
+      EXPECT_NEAR (fit.coefficients[i][lane], qr.solution[i], 1e-6) << i;
+    EXPECT_NEAR (fit.residual[lane], qr.residual, 1e-6);
     // The second derivative along (x, y) is this linear function of the solution.
     Eigen::VectorXd bend = Eigen::VectorXd::Zero (CubicSums::TERMS);
     bend.segment<3> (3) << 2.0 * x * x, 2.0 * x * y, 2.0 * y * y;
-    const Eigen::MatrixXd covariance = (matrix.transpose() * matrix).inverse();
+    const Eigen::MatrixXd covariance = (qr.matrix.transpose() * qr.matrix).inverse();
     EXPECT_NEAR (variance[lane] / bend.dot (covariance * bend), 1.0, 1e-6);
   }
 }
 
 TEST (FitKernels, FitProfilesAsQrDoes)
 {
-  const auto samples = randomSamples<ProfileSample> (&ProfileSample::value);
+  const auto samples = randomSamples();
   for (const bool bent : {false, true}) {
     ProfileFit fit;
     fitKernels().fitProfiles (samples.data(), SAMPLES, bent, fit);
     for (int lane = 0; lane < LANES; ++lane) {
-      Eigen::MatrixXd matrix;
-      double residual = 0.0;
       const int terms = bent ? ProfileFit::TERMS : ProfileFit::TERMS - 1;
-      const Eigen::VectorXd solution = solveByQr (
-          samples, &ProfileSample::value, lane, terms, profileTerm, matrix, residual);
+      const ByQr qr (samples, lane, terms, profileTerm);
       // Terms that samples leave open are damped a little.
       for (int i = 0; i < terms; ++i)
-        EXPECT_NEAR (fit.coefficients[i][lane], solution[i], 1e-3) << i;
+        EXPECT_NEAR (fit.coefficients[i][lane], qr.solution[i], 1e-3) << i;
       if (!bent) {
         EXPECT_EQ (fit.coefficients[ProfileFit::TERMS - 1][lane], 0.0);
       }
@@ -142,30 +218,48 @@ TEST (FitKernels, FitProfilesAsQrDoes)
 TEST (FitKernels, AreTheSameForAllInstructions)
 {
   // Where there is no AVX2 these are the portable kernels twice.
-  const auto heights = randomSamples<HeightSample> (&HeightSample::z);
-  const auto values = randomSamples<ProfileSample> (&ProfileSample::value);
-  CubicSums sums[2];
-  CubicFit cubics[2];
-  Lanes variances[2];
-  ProfileFit profiles[2];
-  for (int i = 0; i < 2; ++i) {
-    const FitKernels& kernels = fitKernels (i == 0 ? Simd::PORTABLE : Simd::AVX2);
-    kernels.addHeights (heights.data(), SAMPLES, sums[i]);
-    kernels.fitCubics (sums[i], cubics[i]);
-    kernels.bendVariance (cubics[i], heights[0].u, heights[0].v, variances[i]);
-    kernels.fitProfiles (values.data(), SAMPLES, true, profiles[i]);
-  }
+  const FitKernels& portable = fitKernels (Simd::PORTABLE);
+  const FitKernels& avx2 = fitKernels (Simd::AVX2);
+  const Stars stars;
+  const QuadricFit quadric = stars.fit (portable);
+  const QuadricFit other_quadric = stars.fit (avx2);
+  expectSame (quadric.k1, other_quadric.k1);
+  expectSame (quadric.k2, other_quadric.k2);
+  expectSame (quadric.t1.x, other_quadric.t1.x);
+  expectSame (quadric.independence, other_quadric.independence);
+
+  const auto samples = randomSamples();
+  const auto fitCubics =
+      [&] (const FitKernels& kernels, CubicFit& fit, Lanes& variance) {
+        CubicSums sums;
+        kernels.addHeights (samples.data(), SAMPLES, sums);
+        kernels.fitCubics (sums, fit);
+        kernels.bendVariance (fit, samples[0].u, samples[0].v, variance);
+      };
+  CubicFit cubic;
+  CubicFit other_cubic;
+  Lanes variance;
+  Lanes other_variance;
+  fitCubics (portable, cubic, variance);
+  fitCubics (avx2, other_cubic, other_variance);
   for (int i = 0; i < CubicSums::TERMS; ++i)
-    expectSame (cubics[0].coefficients[i], cubics[1].coefficients[i]);
-  expectSame (cubics[0].residual, cubics[1].residual);
-  expectSame (variances[0], variances[1]);
-  for (int i = 0; i < ProfileFit::TERMS; ++i)
-    expectSame (profiles[0].coefficients[i], profiles[1].coefficients[i]);
+    expectSame (cubic.coefficients[i], other_cubic.coefficients[i]);
+  expectSame (cubic.residual, other_cubic.residual);
+  expectSame (variance, other_variance);
+
+  for (const bool bent : {false, true}) {
+    ProfileFit profile;
+    ProfileFit other_profile;
+    portable.fitProfiles (samples.data(), SAMPLES, bent, profile);
+    avx2.fitProfiles (samples.data(), SAMPLES, bent, other_profile);
+    for (int i = 0; i < ProfileFit::TERMS; ++i)
+      expectSame (profile.coefficients[i], other_profile.coefficients[i]);
+  }
 }
 
 TEST (FitKernels, FitsThatHaveNothingToFitLeaveOthersAlone)
 {
-  auto samples = randomSamples<HeightSample> (&HeightSample::z);
+  auto samples = randomSamples();
   const auto fitted = [&samples] {
     CubicSums sums;
     fitKernels().addHeights (samples.data(), SAMPLES, sums);
@@ -174,7 +268,7 @@ TEST (FitKernels, FitsThatHaveNothingToFitLeaveOthersAlone)
     return fit;
   };
   const CubicFit full = fitted();
-  for (HeightSample& sample : samples)
+  for (LaneSample& sample : samples)
     sample.clear (1);
   const CubicFit emptied = fitted();
   for (int i = 0; i < CubicSums::TERMS; ++i) {

@@ -114,3 +114,35 @@ TEST (CrestProfile, TurningAngleIsThatOfTheParabola)
   EXPECT_EQ (turningAngle (0.01), 180.0);
   EXPECT_EQ (turningAngle (-1.0), 180.0);
 }
+
+TEST (ScaleFit, TakesTheNearestOfAHub)
+{
+  // A hub that has all others as its star, in rings of which more than one is left
+  // over.
+  constexpr int OTHERS = 400;
+  constexpr int NEAREST = 28;
+  PyramidLevel level;
+  std::vector<double> distances;
+  for (int i = 0; i <= OTHERS; ++i) {
+    const double r = 0.01 * (i * 37 % (OTHERS + 1));
+    level.positions.emplace_back (r * std::cos (i), r * std::sin (i), -0.1 * r * r);
+    level.normals.push_back (Eigen::Vector3f::UnitZ());
+    level.weights.push_back (1.0F);
+    level.node_of.push_back (i);
+    distances.push_back (level.positions.back().norm());
+  }
+  level.graph.offsets.push_back (0);
+  for (int i = 0; i <= OTHERS; ++i) {
+    for (int j = i == 0 ? 1 : 0; j <= (i == 0 ? OTHERS : 0); ++j)
+      level.graph.neighbors.push_back (j);
+    level.graph.offsets.push_back (level.graph.neighbors.size());
+  }
+  std::vector<std::uint8_t> needed (level.size(), 0);
+  needed[0] = 1;
+  const ScaleFit fit = fitAtScale (level, NEAREST, needed, 1)[0];
+  ASSERT_TRUE (fit.valid);
+  std::sort (distances.begin(), distances.end());
+  // The hub is one of them.
+  EXPECT_NEAR (fit.radius, 1.02 * distances[NEAREST - 1], 1e-6);
+  EXPECT_NEAR (fit.k1, 0.2, 1e-3);
+}

@@ -2,6 +2,7 @@
 // Paper, section 4.2: curvature approximation.
 #pragma once
 
+#include <pcl_crest/search/simd.h>
 #include <pcl_crest/surface_graph.h>
 
 namespace pcl {
@@ -33,11 +34,14 @@ struct PrincipalCurvature {
 PrincipalCurvature
 fitQuadric (const OrientedPoints& points, index_t point, const Star& star);
 
-/** \brief The principal curvatures at every point of the graph. */
+/** \brief The principal curvatures at every point of the graph.
+ * \param[in] simd instructions to use, which change nothing but time
+ */
 std::vector<PrincipalCurvature>
 estimateCurvature (const OrientedPoints& points,
                    const SurfaceGraph& graph,
-                   const Workers& workers);
+                   const Workers& workers,
+                   Simd simd = bestSimd());
 
 } // namespace crest
 } // namespace pcl

@@ -11,18 +11,18 @@ namespace crest {
  * Curvatures have the signs of PrincipalCurvature; units are those of the cloud.
  */
 struct ScaleFit {
-  float k1 = 0.0F;
-  float k2 = 0.0F;
+  double k1 = 0.0;
+  double k2 = 0.0;
   Eigen::Vector3f t1 = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** height of the surface over the node's position, along the normal */
-  float offset = 0.0F;
+  double offset = 0.0;
   /** of the neighbourhood that was fitted */
-  float radius = 0.0F;
+  double radius = 0.0;
   /** standard deviation of a sample from the surface, pooled with the node's star */
-  float noise = 0.0F;
+  double noise = 0.0;
   /** standard error of k1 that follows from it */
-  float k1_error = 0.0F;
+  double k1_error = 0.0;
   bool valid = false;
 };
 
@@ -39,7 +39,8 @@ constexpr float SAME_SHEET_COSINE = 0.2F;
  *
  * \param[in] level the nodes
  * \param[in] nearest how many nodes to fit, at least 14; fewer than 14 found, or all on
- * a line, is invalid \param[in] needed for each node whether it is to be fitted
+ * a line, is invalid
+ * \param[in] needed for each node whether it is to be fitted
  * \param[in] workers a number of threads, 0 for all processors
  */
 std::vector<ScaleFit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inner loops of the search, once in plain C++ and once for each instruction set.
-// All compute the same floats in the same order.
+// The inner loops of the search, once in plain C++ and once for each instruction set;
+// fits rank neighbours by them, too. All compute the same floats in the same order.
 #pragma once
 
 #include <pcl_crest/search/point_tree.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which instructions the neighbour search uses.
+// Which instructions the neighbour search and the fits use.
 #pragma once
 
 namespace pcl {
