@@ -46,6 +46,8 @@ constexpr double LEAST_CHANGE = 0.02;
  * better; of interest only for samples that the foot is near to. */
 constexpr double LARGEST_FOOT_ERROR = 0.75;
 constexpr double NEAR_FOOT = 3.0;
+/** Above this a longer window of the same scale is asked for its place. */
+constexpr double CERTAIN_FOOT = 0.2;
 /** Flat is what turns by less than this over a spacing. */
 constexpr double FLAT_TURN = 1e-4;
 /** Certainly less sharp than this is of constant curvature for a person's eye. */
@@ -73,15 +75,70 @@ describe (const ScaleFit& fit, double height, CrestProfile& profile)
   profile.radius = static_cast<float> (fit.radius);
 }
 
-/** \brief Takes in the profile of a sample where that is more certain than the one
- * that it has; returns whether a longer window or a coarser scale has to follow.
+/** \brief What has to follow the profile of a sample. */
+enum class Next : std::uint8_t {
+  NOTHING,
+  /** the longer window of the same scale may place the foot better */
+  PLACE,
+  /** a longer window or a coarser scale may resolve the profile */
+  RESOLVE
+};
+
+/** \brief The standard error of k1 in a window: without any noise only rounding is
+ * left.
  */
-bool
+double
+curvatureError (const ProfilePolynomial& polynomial)
+{
+  return std::max (polynomial.k1_error, 1e-9 / polynomial.window);
+}
+
+double
+standardErrorOfFoot (const ScaleProfiles& from,
+                     const ProfilePolynomial& polynomial,
+                     const ProfileParabola& profile)
+{
+  return polynomial.window * from.errors.slope * curvatureError (polynomial) /
+         (2.0 * -profile.bend);
+}
+
+/** \brief Moves the foot of a sample to where a longer window has it, if the two agree.
+ * \param[in] foot_error standard error of the foot
+ */
+void
+placeFoot (const OrientedPoints& points,
+           const ScaleProfiles& from,
+           index_t sample,
+           double foot_error,
+           CrestProfile& profile)
+{
+  constexpr double AGREE_Z = 2.0;
+  const index_t node = from.level.node_of[sample];
+  const ProfilePolynomial& polynomial = from.polynomials[node];
+  const Eigen::Vector3d p = points.positions[sample].cast<double>();
+  const double u = (p - from.level.positions[node].cast<double>())
+                       .dot (from.fits[node].t1.cast<double>());
+  if (!polynomial.valid || !polynomial.covers (u / polynomial.window))
+    return;
+  const ProfileParabola c =
+      blendProfiles (p, node, from.level, from.fits, from.polynomials).profile;
+  const double foot = -c.slope / (2.0 * c.bend) * polynomial.window;
+  if (c.bend < 0.0 && standardErrorOfFoot (from, polynomial, c) < foot_error &&
+      std::abs (foot - profile.foot) < AGREE_Z * foot_error)
+    profile.foot = static_cast<float> (foot);
+}
+
+/** \brief Takes in the profile of a sample where that is more certain than the one
+ * that it has.
+ * \param[out] foot_error standard error of the foot of a sample that is near to it
+ */
+Next
 readProfile (const OrientedPoints& points,
              double spacing,
              const ScaleProfiles& from,
              index_t sample,
-             CrestProfile& profile)
+             CrestProfile& profile,
+             float& foot_error)
 {
   const index_t node = from.level.node_of[sample];
   const ProfilePolynomial& polynomial = from.polynomials[node];
@@ -93,15 +150,14 @@ readProfile (const OrientedPoints& points,
     // Where data end there is no profile, but the surface has its curvature.
     if (own.valid && !profile.curvature.valid)
       describe (own, 0.0, profile);
-    return true;
+    return Next::RESOLVE;
   }
   const BlendedProfile blend =
       blendProfiles (p, node, from.level, from.fits, from.polynomials);
   const ProfileParabola& c = blend.profile;
   const double window = polynomial.window;
   const double k1 = std::abs (own.k1);
-  // Without any noise only rounding is left.
-  const double error = std::max (polynomial.k1_error, 1e-9 / window);
+  const double error = curvatureError (polynomial);
   // The maximum along u is what is measured, and how certainly; how sharp it is takes
   // the line of curvature.
   const double bend = c.bendOnCurvatureLine (
@@ -120,8 +176,9 @@ readProfile (const OrientedPoints& points,
   const bool changes =
       std::hypot (c.slope, c.bend) > std::min (LEAST_CHANGE, least_crest_change) * k1;
   bool resolved = z > RESOLVING_Z && k1 > CURVATURE_Z * error && changes;
+  foot_error = 0.0F;
   if (resolved && std::abs (foot) < NEAR_FOOT * spacing) {
-    const double foot_error = window * from.errors.slope * error / (2.0 * -c.bend);
+    foot_error = static_cast<float> (standardErrorOfFoot (from, polynomial, c));
     resolved = foot_error <= LARGEST_FOOT_ERROR * spacing;
   }
   const bool flat = (k1 + 2.0 * error) * spacing < FLAT_TURN;
@@ -143,18 +200,19 @@ readProfile (const OrientedPoints& points,
     profile.resolved = resolved;
     profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;
   }
-  return !resolved && !flat && !constant;
+  if (resolved)
+    return foot_error > CERTAIN_FOOT * spacing ? Next::PLACE : Next::NOTHING;
+  return flat || constant ? Next::NOTHING : Next::RESOLVE;
 }
 
-/** \brief The nodes of active samples with some rings of nodes around them. */
+/** \brief The nodes of samples that something follows for, with some rings of nodes
+ * around them. */
 std::vector<std::uint8_t>
-neededNodes (const PyramidLevel& level,
-             const std::vector<std::uint8_t>& active,
-             int rings)
+neededNodes (const PyramidLevel& level, const std::vector<Next>& next, int rings)
 {
   std::vector<std::uint8_t> needed (level.size(), 0);
-  for (std::size_t i = 0; i < active.size(); ++i)
-    if (active[i] != 0)
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (next[i] != Next::NOTHING)
       needed[level.node_of[i]] = 1;
   for (int ring = 0; ring < rings; ++ring) {
     const std::vector<std::uint8_t> inner = needed;
@@ -174,7 +232,8 @@ profileCrests (const OrientedPoints& points,
                const Workers& workers)
 {
   std::vector<CrestProfile> profiles = makeLarge (points.size(), CrestProfile());
-  std::vector<std::uint8_t> active (points.size(), 1);
+  std::vector<Next> next (points.size(), Next::RESOLVE);
+  std::vector<float> foot_errors = makeLarge (points.size(), 0.0F);
   PyramidLevel level = finestLevel (points, graph);
   int at_level = 0;
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
@@ -187,28 +246,36 @@ profileCrests (const OrientedPoints& points,
     // Half a window, and one more ring for blending.
     const int rings = ringsOfWindow (samples ? 1.0 : ELONGATION) + 1;
     const std::vector<ScaleFit> fits =
-        fitAtScale (level, nodes, neededNodes (level, active, rings), workers);
+        fitAtScale (level, nodes, neededNodes (level, next, rings), workers);
 
     const auto readAll = [&] (bool elongated) {
+      // The longest windows see crests bend.
+      const bool places = !samples && !elongated && at_level < COARSEST_LEVEL;
       const std::vector<ProfilePolynomial> polynomials =
           fitPolynomials (level,
                           fits,
-                          neededNodes (level, active, 1),
+                          neededNodes (level, next, 1),
                           nodes,
                           elongated ? ELONGATION : 1.0,
                           workers);
       const ScaleProfiles from{
           scale, profileErrors (nodes, elongated), level, fits, polynomials};
+      const auto read = [&] (std::size_t i) {
+        const auto sample = static_cast<index_t> (i);
+        if (next[i] == Next::PLACE) {
+          placeFoot (points, from, sample, foot_errors[i], profiles[i]);
+          return Next::NOTHING;
+        }
+        const Next wanted = readProfile (
+            points, graph.spacing[i], from, sample, profiles[i], foot_errors[i]);
+        return wanted == Next::PLACE && !places ? Next::NOTHING : wanted;
+      };
       forEachBlock (points.size(),
                     workers,
                     [&] (std::size_t, std::size_t first, std::size_t last) {
                       for (std::size_t i = first; i < last; ++i)
-                        if (active[i] != 0 && !readProfile (points,
-                                                            graph.spacing[i],
-                                                            from,
-                                                            static_cast<index_t> (i),
-                                                            profiles[i]))
-                          active[i] = 0;
+                        if (next[i] != Next::NOTHING)
+                          next[i] = read (i);
                     });
     };
     readAll (false);
