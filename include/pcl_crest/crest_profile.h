@@ -56,7 +56,8 @@ struct CrestProfile {
  * At coarser levels each scale has a second try: a window that is four times as long
  * along the crest as across. What is seen in it is more certain, but has to be nearly
  * straight. At the second level it also moves feet that the first window left uncertain
- * by more than a fifth of a spacing, if the two windows agree within two standard errors.
+ * by more than a fifth of a spacing, if the two windows agree within two standard
+ * errors.
  *
  * The smallest significant scale keeps sharp features sharp, and noise silent: where
  * curvature is constant, as on planes, spheres, cylinders and tori, none is
