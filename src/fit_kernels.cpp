@@ -192,15 +192,16 @@ fitCubics (const CubicSums& sums, CubicFit& fit)
 {
   constexpr int N = CubicSums::TERMS;
   constexpr double OPEN = 1e-9;
-  LaneCholesky<N> matrix;
+  using Matrix = LaneCholesky<N>;
+  Matrix matrix;
   Lanes x[N];
 #pragma GCC unroll 10
   for (int i = 0; i < N; ++i) {
     x[i] = sums.heights[i];
 #pragma GCC unroll 10
     for (int j = 0; j <= i; ++j)
-      matrix.factor[matrix.at (i, j)] = product (sums.powers, CUBIC[i], CUBIC[j]);
-    matrix.factor[matrix.at (i, i)] += OPEN * sums.powers[0];
+      matrix.factor[Matrix::at (i, j)] = product (sums.powers, CUBIC[i], CUBIC[j]);
+    matrix.factor[Matrix::at (i, i)] += OPEN * sums.powers[0];
   }
   matrix.decompose();
   matrix.solveLower (x);
@@ -272,12 +273,13 @@ fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
     for (int j = 0; j < N; ++j)
       x[j] += power[PROFILE[j].a][PROFILE[j].b] * s.value;
   }
-  LaneCholesky<N> matrix;
+  using Matrix = LaneCholesky<N>;
+  Matrix matrix;
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j <= i; ++j)
-      matrix.factor[matrix.at (i, j)] =
+      matrix.factor[Matrix::at (i, j)] =
           powers[PROFILE[i].a + PROFILE[j].a][PROFILE[i].b + PROFILE[j].b];
-    matrix.factor[matrix.at (i, i)] += OPEN * powers[0][0];
+    matrix.factor[Matrix::at (i, i)] += OPEN * powers[0][0];
   }
   matrix.decompose();
   matrix.solveLower (x);
@@ -288,9 +290,11 @@ fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
 
 // The same once for each set of instructions: what is inline becomes part of functions
 // for it.
-#define PCL_CREST_FIT_KERNELS(NAME, TARGET)                                            \
+#define PCL_CREST_TARGET_portable
+#define PCL_CREST_TARGET_avx2 __attribute__ ((target ("avx2")))
+#define PCL_CREST_FIT_KERNELS(NAME)                                                    \
   namespace NAME {                                                                     \
-  TARGET void                                                                          \
+  PCL_CREST_TARGET_##NAME void                                                         \
   fitQuadrics (const LaneVector& normals,                                              \
                const LaneVector* edges,                                                \
                int count,                                                              \
@@ -298,22 +302,22 @@ fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
   {                                                                                    \
     crest::fitQuadrics (normals, edges, count, fit);                                   \
   }                                                                                    \
-  TARGET void                                                                          \
+  PCL_CREST_TARGET_##NAME void                                                         \
   addHeights (const LaneSample* samples, int count, CubicSums& sums)                   \
   {                                                                                    \
     crest::addHeights (samples, count, sums);                                          \
   }                                                                                    \
-  TARGET void                                                                          \
+  PCL_CREST_TARGET_##NAME void                                                         \
   fitCubics (const CubicSums& sums, CubicFit& fit)                                     \
   {                                                                                    \
     crest::fitCubics (sums, fit);                                                      \
   }                                                                                    \
-  TARGET void                                                                          \
+  PCL_CREST_TARGET_##NAME void                                                         \
   bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& variance)  \
   {                                                                                    \
     crest::bendVariance (fit, x, y, variance);                                         \
   }                                                                                    \
-  TARGET void                                                                          \
+  PCL_CREST_TARGET_##NAME void                                                         \
   fitProfiles (const LaneSample* samples, int count, bool bent, ProfileFit& fit)       \
   {                                                                                    \
     if (bent)                                                                          \
@@ -325,9 +329,9 @@ fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
       fitQuadrics, addHeights, fitCubics, bendVariance, fitProfiles};                  \
   }
 
-PCL_CREST_FIT_KERNELS (portable, )
+PCL_CREST_FIT_KERNELS (portable)
 #if defined(__x86_64__)
-PCL_CREST_FIT_KERNELS (avx2, __attribute__ ((target ("avx2"))))
+PCL_CREST_FIT_KERNELS (avx2)
 #endif
 
 } // namespace

@@ -189,7 +189,8 @@ private:
     const auto same_sheet = [&] (index_t q) {
       return level_.normals[q].dot (n) > SAME_SHEET_COSINE;
     };
-    const auto enough = static_cast<std::size_t> (nearest_ + nearest_ / 4);
+    const auto wanted = static_cast<std::size_t> (nearest_);
+    const std::size_t enough = wanted + wanted / 4;
     walk_.start (node);
     for (std::size_t i = 0, ring = 1; i < walk_.size() && walk_.size() < enough;
          ring = walk_.size())
@@ -220,11 +221,11 @@ private:
       farthest = std::max (farthest, squared);
     }
     // Ranking takes the square of what there is, which is few but around hubs.
-    const auto most_ranked = static_cast<std::size_t> (4 * nearest_);
-    if (candidates_.size() > most_ranked) {
+    const auto wanted = static_cast<std::size_t> (nearest_);
+    if (candidates_.size() > 4 * wanted) {
       std::nth_element (
           candidates_.begin(), candidates_.begin() + nearest_, candidates_.end());
-      candidates_.resize (static_cast<std::size_t> (nearest_));
+      candidates_.resize (wanted);
     }
     const std::size_t count = candidates_.size();
     parts_.resize (count + KERNEL_SLACK);

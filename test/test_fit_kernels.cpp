@@ -148,7 +148,7 @@ TEST (FitKernels, FitQuadricsAsQrDoes)
     Eigen::Matrix2d matrix;
     matrix << -shape[0], -shape[1], -shape[1], -shape[2];
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver (matrix);
-    const Eigen::Vector2d k = solver.eigenvalues();
+    const Eigen::Vector2d& k = solver.eigenvalues();
     const int larger = std::abs (k[0]) > std::abs (k[1]) ? 0 : 1;
     EXPECT_NEAR (fit.k1[lane], k[larger], 1e-10);
     EXPECT_NEAR (fit.k2[lane], k[1 - larger], 1e-10);
