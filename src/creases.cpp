@@ -27,6 +27,9 @@ constexpr std::array<int, 4> WINDOWS{20, 30, 48, CREASE_NEIGHBORS};
 /** What two planes have to leave of the smooth surface's residual, without the noise,
  * at most. */
 constexpr double LARGEST_RATIO = 0.7;
+/** Least logarithm of the residuals' ratio, noise included, times the number of
+ * neighbours: two planes fit noise, too, by chance. */
+constexpr double LEAST_EVIDENCE = 10.0;
 /** Below, two planes are as good as one; above, they are two sheets. */
 constexpr double LEAST_ANGLE = 7.0;
 constexpr double LARGEST_ANGLE = 155.0;
@@ -150,7 +153,10 @@ private:
     const double noise = noiseOf (count);
     const double by_ratio =
         LARGEST_RATIO * (std::max (0.0, of_cubic - noise) + ZERO) - ZERO + noise;
-    return std::min (LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio);
+    const double by_evidence =
+        std::exp (-LEAST_EVIDENCE / static_cast<double> (count)) * (of_cubic + ZERO) -
+        ZERO;
+    return std::min ({LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio, by_evidence});
   }
 
   /** \param[in] of_cubic about the mean squared distance from a cubic
