@@ -50,9 +50,18 @@ using SmoothResiduals = std::array<double, WINDOWS.size()>;
  */
 class CreaseFitter {
 public:
-  CreaseFitter (const OrientedPoints& points, const SurfaceGraph& graph)
-  : points_ (points), graph_ (graph)
+  /** \param[in] smooth the cubics that edges have to beat; fit uses its first lane */
+  CreaseFitter (const OrientedPoints& points,
+                const SurfaceGraph& graph,
+                CubicResiduals& smooth)
+  : points_ (points), graph_ (graph), smooth_ (smooth)
   {}
+
+  [[nodiscard]] index_t
+  sample () const
+  {
+    return sample_;
+  }
 
   /** \brief Takes what a search has found, nearest first. */
   void
@@ -82,18 +91,18 @@ public:
                       neighbors_.end());
   }
 
-  /** \brief Sets the lane to the neighbours. */
+  /** \brief Sets a lane of the cubics to the neighbours. */
   void
-  describeTo (CubicResiduals& smooth, int lane) const
+  describe (int lane) const
   {
     Vector3d normal = points_.normals[sample_].cast<double>();
     for (const Neighbor& neighbor : neighbors_)
       normal += neighbor.normal;
-    smooth.set (lane,
-                normal.normalized(),
-                neighbors_.empty() ? 1.0 : neighbors_.back().position.norm(),
-                std::min<std::size_t> (neighbors_.size(), CREASE_NEIGHBORS),
-                [this] (std::size_t i) { return neighbors_[i].position; });
+    smooth_.set (lane,
+                 normal.normalized(),
+                 neighbors_.empty() ? 1.0 : neighbors_.back().position.norm(),
+                 std::min<std::size_t> (neighbors_.size(), CREASE_NEIGHBORS),
+                 [this] (std::size_t i) { return neighbors_[i].position; });
   }
 
   /** \param[in] smooth of the windows for which there are enough neighbours */
@@ -323,7 +332,7 @@ private:
    * degrees of freedom.
    */
   double
-  smoothResidual (std::size_t count, const Vector3d& normal)
+  smoothResidual (std::size_t count, const Vector3d& normal) const
   {
     smooth_.set (0,
                  normal,
@@ -336,10 +345,9 @@ private:
 
   const OrientedPoints& points_;
   const SurfaceGraph& graph_;
+  CubicResiduals& smooth_;
   index_t sample_ = 0;
   std::vector<Neighbor> neighbors_;
-  /** in the frame of an edge */
-  CubicResiduals smooth_{CREASE_NEIGHBORS};
   /** of each neighbour in the window: 1 for the first plane, -1 for the second */
   std::vector<int> side_;
   /** of the sample: mean squared distance from the surface, and the smallest ratio so
@@ -368,12 +376,12 @@ isWorthATry (const OrientedPoints& points, const SurfaceGraph& graph, index_t sa
 }
 
 /** \brief Tests some samples at a time. */
-class CreaseFinder {
+class CreaseFinder : public LaneBatch<CreaseFinder> {
 public:
   CreaseFinder (const OrientedPoints& points,
                 const SurfaceGraph& graph,
                 std::vector<Crease>& creases)
-  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph))
+  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph, smooth_))
   {}
 
   /** \brief Tests a sample together with others, at the latest when finish is called.
@@ -382,18 +390,17 @@ public:
   void
   add (index_t sample, const std::vector<index_t>& found)
   {
-    samples_[queued_] = sample;
     fitters_[queued_].setNeighbors (sample, found);
-    fitters_[queued_].describeTo (smooth_, queued_);
-    if (++queued_ == LANES)
-      finish();
+    fitters_[queued_].describe (queued_);
+    push();
   }
 
+private:
+  friend LaneBatch<CreaseFinder>;
+
   void
-  finish ()
+  run ()
   {
-    if (queued_ == 0)
-      return;
     std::array<SmoothResiduals, LANES> residuals;
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
       smooth_.fit (WINDOWS[w]);
@@ -401,16 +408,12 @@ public:
         residuals[lane][w] = smooth_.meanSquare (lane);
     }
     for (int lane = 0; lane < queued_; ++lane)
-      creases_[samples_[lane]] = fitters_[lane].fit (residuals[lane]);
-    queued_ = 0;
+      creases_[fitters_[lane].sample()] = fitters_[lane].fit (residuals[lane]);
   }
 
-private:
   std::vector<Crease>& creases_;
-  std::array<index_t, LANES> samples_{};
-  std::vector<CreaseFitter> fitters_;
   CubicResiduals smooth_{CREASE_NEIGHBORS};
-  int queued_ = 0;
+  std::vector<CreaseFitter> fitters_;
 };
 
 } // namespace

@@ -102,6 +102,19 @@ standardErrorOfFoot (const ScaleProfiles& from,
          (2.0 * -profile.bend);
 }
 
+/** \brief Whether the window of a sample's node has nodes on both sides of the sample.
+ */
+bool
+windowCovers (const OrientedPoints& points, const ScaleProfiles& from, index_t sample)
+{
+  const index_t node = from.level.node_of[sample];
+  const ProfilePolynomial& polynomial = from.polynomials[node];
+  const double u = (points.positions[sample].cast<double>() -
+                    from.level.positions[node].cast<double>())
+                       .dot (from.fits[node].t1.cast<double>());
+  return polynomial.valid && polynomial.covers (u / polynomial.window);
+}
+
 /** \brief Moves the foot of a sample to where a longer window has it, if the two agree.
  * \param[in] foot_error standard error of the foot
  */
@@ -113,13 +126,11 @@ placeFoot (const OrientedPoints& points,
            CrestProfile& profile)
 {
   constexpr double AGREE_Z = 2.0;
+  if (!windowCovers (points, from, sample))
+    return;
   const index_t node = from.level.node_of[sample];
   const ProfilePolynomial& polynomial = from.polynomials[node];
   const Eigen::Vector3d p = points.positions[sample].cast<double>();
-  const double u = (p - from.level.positions[node].cast<double>())
-                       .dot (from.fits[node].t1.cast<double>());
-  if (!polynomial.valid || !polynomial.covers (u / polynomial.window))
-    return;
   const ProfileParabola c =
       blendProfiles (p, node, from.level, from.fits, from.polynomials).profile;
   const double foot = -c.slope / (2.0 * c.bend) * polynomial.window;
@@ -144,9 +155,7 @@ readProfile (const OrientedPoints& points,
   const ProfilePolynomial& polynomial = from.polynomials[node];
   const ScaleFit& own = from.fits[node];
   const Eigen::Vector3d p = points.positions[sample].cast<double>();
-  const double u =
-      (p - from.level.positions[node].cast<double>()).dot (own.t1.cast<double>());
-  if (!polynomial.valid || !polynomial.covers (u / polynomial.window)) {
+  if (!windowCovers (points, from, sample)) {
     // Where data end there is no profile, but the surface has its curvature.
     if (own.valid && !profile.curvature.valid)
       describe (own, 0.0, profile);

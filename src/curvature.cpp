@@ -47,7 +47,7 @@ isOnOneLine (const QuadricFit& fit,
 }
 
 /** \brief Fits some points at a time. */
-class QuadricFitter {
+class QuadricFitter : public LaneBatch<QuadricFitter> {
 public:
   QuadricFitter (const OrientedPoints& points, Simd simd)
   : points_ (points), kernels_ (fitKernels (simd))
@@ -66,15 +66,15 @@ public:
       edges_[i].set (queued_, points_.edge (point, star.begin()[i]));
     normals_.set (queued_, points_.normals[point].cast<double>());
     fits_[queued_] = {point, star.size(), &result};
-    if (++queued_ == LANES)
-      finish();
+    push();
   }
 
+private:
+  friend LaneBatch<QuadricFitter>;
+
   void
-  finish ()
+  run ()
   {
-    if (queued_ == 0)
-      return;
     std::size_t most = 0;
     for (int lane = 0; lane < queued_; ++lane)
       most = std::max (most, fits_[lane].star_size);
@@ -94,10 +94,8 @@ public:
           !isOnOneLine (fit, lane, star_size, points_.positions[point]))
         *result = {k1, k2, fit.t1[lane].cast<float>(), true};
     }
-    queued_ = 0;
   }
 
-private:
   struct Fit {
     index_t point;
     std::size_t star_size;
@@ -109,7 +107,6 @@ private:
   LaneVector normals_ = {};
   std::vector<LaneVector> edges_;
   std::array<Fit, LANES> fits_ = {};
-  int queued_ = 0;
 };
 
 } // namespace

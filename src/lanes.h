@@ -34,6 +34,33 @@ takeRoots (Lanes& squares)
     squares[lane] = std::sqrt (squares[lane]);
 }
 
+/** \brief What is fitted together: as soon as all lanes are taken, or when nothing more
+ * comes. A Fitter puts something into the lane queued_, calls push, and has a function
+ * run for what is queued.
+ */
+template <typename Fitter>
+class LaneBatch {
+public:
+  /** \brief To be called after the last. */
+  void
+  finish ()
+  {
+    if (queued_ > 0)
+      static_cast<Fitter*> (this)->run();
+    queued_ = 0;
+  }
+
+protected:
+  void
+  push ()
+  {
+    if (++queued_ == LANES)
+      finish();
+  }
+
+  int queued_ = 0;
+};
+
 /** \brief The Cholesky factor L of positive definite matrices of a fixed size of about
  * ten. Eigen's, which is made for large ones too, calls kernels for parts of a few
  * numbers.

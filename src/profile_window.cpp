@@ -25,7 +25,7 @@ constexpr std::size_t LEAST_NODES = 8;
 constexpr double BESIDE = 0.3;
 
 /** \brief Fits the polynomials of some nodes at a time. */
-class PolynomialFitter {
+class PolynomialFitter : public LaneBatch<PolynomialFitter> {
 public:
   PolynomialFitter (const PyramidLevel& level,
                     const std::vector<ScaleFit>& fits,
@@ -40,15 +40,15 @@ public:
     if (!gather (node, window, queued_, result))
       return;
     results_[queued_] = &result;
-    if (++queued_ == LANES)
-      finish();
+    push();
   }
 
+private:
+  friend LaneBatch<PolynomialFitter>;
+
   void
-  finish ()
+  run ()
   {
-    if (queued_ == 0)
-      return;
     const int most = *std::max_element (counts_.begin(), counts_.begin() + queued_);
     for (int lane = 0; lane < queued_; ++lane)
       for (int i = counts_[lane]; i < most; ++i)
@@ -62,10 +62,8 @@ public:
             static_cast<float> (result.window * fit.coefficients[i][lane]);
       result.valid = result.coefficients.allFinite();
     }
-    queued_ = 0;
   }
 
-private:
   /** \brief A node in the window. */
   struct Inside {
     index_t node;
@@ -156,7 +154,6 @@ private:
   std::vector<LaneSample> samples_;
   std::array<int, LANES> counts_{};
   std::array<ProfilePolynomial*, LANES> results_{};
-  int queued_ = 0;
 };
 
 } // namespace

@@ -122,7 +122,7 @@ struct Principal {
 };
 
 /** \brief Fits some nodes at a time. */
-class CubicFitter {
+class CubicFitter : public LaneBatch<CubicFitter> {
 public:
   CubicFitter (const PyramidLevel& level, int nearest)
   : level_ (level)
@@ -141,19 +141,20 @@ public:
     next.result = &result;
     next.frame = Frame (level_.normals[node].cast<double>().normalized());
     next.state = State::OPEN;
-    if (++queued_ == LANES)
-      finish();
-  }
-
-  void
-  finish ()
-  {
-    for (int i = 1; i <= MOST_FITS && queued_ > 0; ++i)
-      if (!fitInFrames (i == MOST_FITS))
-        queued_ = 0;
+    push();
   }
 
 private:
+  friend LaneBatch<CubicFitter>;
+
+  void
+  run ()
+  {
+    int fits = 1;
+    while (fitInFrames (fits == MOST_FITS))
+      ++fits;
+  }
+
   enum class State { OPEN, FITTED, DONE };
 
   /** \brief What is being fitted in a lane. */
@@ -362,7 +363,6 @@ private:
   std::vector<std::int32_t> nodes_;
   std::vector<std::int32_t> ranks_;
   std::array<Fit, LANES> fits_;
-  int queued_ = 0;
   std::vector<LaneSample> samples_;
 };
 
