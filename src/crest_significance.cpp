@@ -29,6 +29,9 @@ constexpr double LEAST_RELIEF_TURN = 0.7;
 constexpr double LINE_CONFIDENCE = 4.0;
 /** Least length of a line in widths of its crest. */
 constexpr double LEAST_ELONGATION = 0.75;
+/** The same where points are as certain as this: a border may cut off the rest. */
+constexpr double CERTAIN_Z = 10.0;
+constexpr double LEAST_CERTAIN_ELONGATION = 0.4;
 /** No point is believed to be more certain than this. */
 constexpr double LARGEST_Z = 30.0;
 
@@ -57,7 +60,10 @@ public:
     // Nothing is beside a crest that fills the widest.
     if (widest)
       return 1.0F;
-    return 1.0F - std::max (least (point, t1), least (point, -t1)) / k1;
+    const Flank flanks[] = {flank (point, t1), flank (point, -t1)};
+    if (flanks[0].ends != flanks[1].ends)
+      return 1.0F - flanks[flanks[0].ends ? 1 : 0].least / k1;
+    return 1.0F - std::max (flanks[0].least, flanks[1].least) / k1;
   }
 
 private:
@@ -86,9 +92,15 @@ private:
     return false;
   }
 
-  /** \brief The smallest curvature of the point's sign on the way downhill. */
-  float
-  least (index_t point, Eigen::Vector3f direction) const
+  struct Flank {
+    /** the smallest curvature of the point's sign on the way downhill */
+    float least;
+    /** whether the data end on that way */
+    bool ends;
+  };
+
+  Flank
+  flank (index_t point, Eigen::Vector3f direction) const
   {
     // The next crest has begun.
     constexpr float RISE = 0.25F;
@@ -101,7 +113,9 @@ private:
     float smallest = top;
     for (int step = 0; step < MOST_STEPS && smallest >= 0.0F; ++step) {
       point = next (point, direction, DOWNHILL);
-      if (point == OrientedPoints::INVALID || !profiles_[point].curvature.valid)
+      if (point == OrientedPoints::INVALID)
+        return {smallest, smallest >= 0.0F};
+      if (!profiles_[point].curvature.valid)
         break;
       const CrestProfile& profile = profiles_[point];
       const float k =
@@ -117,7 +131,7 @@ private:
         direction =
             (direction - direction.dot (profile.normal) * profile.normal).normalized();
     }
-    return smallest;
+    return {smallest, false};
   }
 
   /** \brief The neighbour closest to a direction, if nearer than a cosine. */
@@ -341,7 +355,8 @@ significantLines (const OrientedPoints& points,
     const double certainty = z * std::sqrt (1.0 + line.length / radius);
     return line.length < std::max (radius, parameters.min_length * spacing) ||
            certainty < LINE_CONFIDENCE * parameters.confidence ||
-           elongation (points, evidence, line, summary) < LEAST_ELONGATION;
+           elongation (points, evidence, line, summary) <
+               (z > CERTAIN_Z ? LEAST_CERTAIN_ELONGATION : LEAST_ELONGATION);
   };
   lines.erase (std::remove_if (lines.begin(), lines.end(), insignificant), lines.end());
   return lines;
