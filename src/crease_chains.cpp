@@ -219,6 +219,7 @@ collectChains (CreaseChains& chains)
     for (std::size_t i = 0; i < found.size(); ++i) {
       const CreaseNode& node = chains.nodes[found[i]];
       ++chain.nodes;
+      chain.roundness += node.roundness;
       chain.strong += node.ratio < STRONG_RATIO ? 1 : 0;
       for (const int q : chains.next[found[i]]) {
         if (q == NONE) {
@@ -254,6 +255,7 @@ chainCreases (const OrientedPoints& points,
                         creases[i].normal.cast<double>(),
                         creases[i].angle,
                         creases[i].ratio,
+                        creases[i].roundness,
                         graph.spacing[i]});
   constexpr int PASSES = 2;
   for (int pass = 0; pass < PASSES; ++pass)

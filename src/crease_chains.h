@@ -18,6 +18,7 @@ struct CreaseNode {
   Eigen::Vector3d normal;
   double angle;
   double ratio;
+  double roundness;
   double spacing;
 };
 
@@ -36,6 +37,8 @@ struct CreaseChains {
     int nodes = 0;
     /** those with a fit beyond doubt */
     int strong = 0;
+    /** sum over the nodes */
+    double roundness = 0.0;
     /** in spacings */
     double length = 0.0;
     bool closed = true;

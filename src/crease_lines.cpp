@@ -18,6 +18,7 @@ std::vector<std::uint8_t>
 keptChains (const CreaseChains& chains, const CreaseJoins& joins)
 {
   constexpr double LEAST_STRONG = 0.3;
+  constexpr double LARGEST_ROUNDNESS = 1.5;
   constexpr int LEAST_NODES = 3;
   constexpr int LEAST_NODES_CLOSED = 5;
   // In spacings.
@@ -39,10 +40,9 @@ keptChains (const CreaseChains& chains, const CreaseJoins& joins)
         chain.closed ? chain.nodes >= LEAST_NODES_CLOSED
                      : chain.length >= LEAST_LENGTH ||
                            (joined[i] > 1 && chain.length >= LEAST_LENGTH_JOINED);
-    kept.push_back (chain.nodes >= LEAST_NODES &&
-                            chain.strong >= LEAST_STRONG * chain.nodes && long_enough
-                        ? 1
-                        : 0);
+    const bool sharp = chain.strong >= LEAST_STRONG * chain.nodes &&
+                       chain.roundness <= LARGEST_ROUNDNESS * chain.nodes;
+    kept.push_back (chain.nodes >= LEAST_NODES && sharp && long_enough ? 1 : 0);
   }
   return kept;
 }

@@ -41,6 +41,8 @@ constexpr double FARTHEST_FOOT = 1.0;
  * the faces of an edge may have. */
 constexpr double ZERO_RESIDUAL = 0.05;
 constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
+/** Squared distances that tell a round edge from a sharp one even without noise. */
+constexpr double LEAST_NOISE = 0.02 * 0.02;
 
 /** Of each window the mean squared distance from a cubic. */
 using SmoothResiduals = std::array<double, WINDOWS.size()>;
@@ -111,7 +113,7 @@ public:
   {
     Crease best;
     smallest_ratio_ = 1.0;
-    noise_ = 0.0;
+    of_noise_window_ = 0.0;
     Scatter normals;
     std::size_t added = 0;
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
@@ -121,7 +123,7 @@ public:
       for (; added < count; ++added)
         normals.add (neighbors_[added].normal);
       if (count == NOISE_WINDOW)
-        noise_ = CERTAIN_NOISE * smooth[w];
+        of_noise_window_ = smooth[w];
       // In the frame of the edge it will be a little different.
       if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
         fitWindow (count, smooth[w], normals, best);
@@ -150,7 +152,7 @@ private:
   double
   noiseOf (std::size_t count) const
   {
-    return count > NOISE_WINDOW ? noise_ : 0.0;
+    return count > NOISE_WINDOW ? CERTAIN_NOISE * of_noise_window_ : 0.0;
   }
 
   /** \brief The mean squared distance from two planes up to which they are better than
@@ -225,6 +227,26 @@ private:
     best.normal = normal.cast<float>();
     best.angle = static_cast<float> (angle);
     best.ratio = static_cast<float> (ratio);
+    best.roundness =
+        count > NOISE_WINDOW && isSpread (NOISE_WINDOW)
+            ? static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE))
+            : 0.0F;
+  }
+
+  /** \brief Whether neighbours lie around the sample rather than on a line or two of a
+   * scan, of which a cubic leaves little whatever the noise from line to line.
+   */
+  bool
+  isSpread (std::size_t count) const
+  {
+    // About the square of width over length.
+    constexpr double LEAST_WIDTH = 0.5;
+    Scatter positions;
+    for (std::size_t i = 0; i < count; ++i)
+      positions.add (neighbors_[i].position);
+    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+    solver.computeDirect (positions.products(), Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[1] > LEAST_WIDTH * solver.eigenvalues()[2];
   }
 
   /** \brief Whether some normals are on the other side of those of an edge's faces: of
@@ -350,9 +372,9 @@ private:
   std::vector<Neighbor> neighbors_;
   /** of each neighbour in the window: 1 for the first plane, -1 for the second */
   std::vector<int> side_;
-  /** of the sample: mean squared distance from the surface, and the smallest ratio so
-   * far */
-  double noise_ = 0.0;
+  /** of the sample: mean squared distance of its noise window from a cubic, and the
+   * smallest ratio so far */
+  double of_noise_window_ = 0.0;
   double smallest_ratio_ = 1.0;
 };
 

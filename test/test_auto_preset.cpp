@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "support/benchmark_surfaces.h"
 #include "support/crest_truth.h"
 #include "support/extraction.h"
 #include "support/flipped_labels.h"
@@ -120,6 +121,39 @@ INSTANTIATE_TEST_SUITE_P (Analytic,
                             std::replace (name.begin(), name.end(), ' ', '_');
                             return name;
                           });
+
+TEST (AutoPreset, NarrowRoundCrestsAreNoSharpEdges)
+{
+  // Two planes fit these better than a cubic of the same window does, but the line
+  // where they meet is a fifth of a spacing off.
+  const oracle::AnalyticSurface surface = oracle::parallelRidges();
+  const Cloud::Ptr exact = oracle::sample (surface, SAMPLES);
+  const double h = oracle::meanSpacing (*exact);
+  const auto truth = oracle::trueCrestLines (surface);
+  for (const double noise : {0.0, 0.05}) {
+    const Extraction run = extract (oracle::withNoise (*exact, noise * h));
+    const oracle::LineScore score = oracle::scoreLines (
+        run.lines, *run.line_cloud, truth, CrestType::RIDGE, 1.5 * h);
+    EXPECT_GE (score.recall, 0.98) << noise;
+    EXPECT_LE (1.5 * score.error, 0.14) << noise;
+  }
+}
+
+TEST (AutoPreset, CrestsBesideABorderAreDrawn)
+{
+  // Of the valleys a third lies within 12 spacings of where the data end.
+  const oracle::AnalyticSurface surface = oracle::gentleWaves();
+  const Cloud::Ptr exact = oracle::sample (surface, SAMPLES);
+  const double h = oracle::meanSpacing (*exact);
+  const Extraction run = extract (exact);
+  const oracle::LineScore score = oracle::scoreLines (run.lines,
+                                                      *run.line_cloud,
+                                                      oracle::trueCrestLines (surface),
+                                                      CrestType::VALLEY,
+                                                      1.5 * h);
+  EXPECT_GE (score.precision, 0.98);
+  EXPECT_GE (score.recall, 0.88);
+}
 
 class AutoSilence : public testing::TestWithParam<oracle::AnalyticSurface> {};
 

@@ -37,8 +37,9 @@ struct SharpLines {
  *   ladders, and loops close by themselves; nearest first.
  * - Ends: those that face each other are joined; where the lines through ends meet,
  *   they get a corner, and one that runs into another line is joined to it.
- * - Lines that are short, and neither closed nor joined at both ends, or uncertain, are
- *   dropped.
+ * - Lines that are short, and neither closed nor joined at both ends, or uncertain, or
+ *   rounder than their noise tells, are dropped: the later stages place smooth crests
+ *   better.
  *
  * \param[in] points, graph, search what the creases were found with
  * \param[in] creases of all samples

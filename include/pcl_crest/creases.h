@@ -22,6 +22,10 @@ struct Crease {
   /** mean squared distance of the samples around from the two faces, as a part of that
    * from the best smooth surface: the smaller, the more certain */
   float ratio = 1.0F;
+  /** the same as a part of what a smooth surface leaves of the few nearest samples, 0
+   * if the faces were fitted to no more than these: well above 1 where it is no noise
+   * that the faces leave, but the edge is round */
+  float roundness = 0.0F;
 };
 
 /** Least neighbours that the search for creases has to find; more are of no use. */
