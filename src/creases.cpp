@@ -29,7 +29,7 @@ constexpr std::array<int, 4> WINDOWS{20, 30, 48, CREASE_NEIGHBORS};
 constexpr double LARGEST_RATIO = 0.7;
 /** Least logarithm of the residuals' ratio, noise included, times the number of
  * neighbours: two planes fit noise, too, by chance. */
-constexpr double LEAST_EVIDENCE = 10.0;
+constexpr double LEAST_EVIDENCE = 9.0;
 /** Below, two planes are as good as one; above, they are two sheets. */
 constexpr double LEAST_ANGLE = 7.0;
 constexpr double LARGEST_ANGLE = 155.0;
