@@ -7,6 +7,7 @@
 #include "quadrant_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <unordered_map>
 
@@ -54,9 +55,9 @@ struct BatchedCandidates {
 class DirectedStars {
 public:
   DirectedStars (std::size_t size, std::size_t room)
-  : room_ (room)
+  : room_ (roundUp (room))
   , counts_ (makeLarge<index_t> (size, 0))
-  , neighbors_ (makeLarge<index_t> (size * room, 0))
+  , neighbors_ (makeLarge<index_t> (size * room_, NOBODY))
   {}
 
   std::size_t
@@ -75,8 +76,10 @@ public:
       std::copy (star.begin(), star.end(), neighbors_.data() + point * room_);
       return;
     }
+    LargeStar large{star, std::vector<std::uint8_t> (star.size(), 0)};
+    large.neighbors.resize (roundUp (star.size()), NOBODY);
     const std::lock_guard<std::mutex> lock (large_mutex_);
-    large_[point] = {star, std::vector<std::uint8_t> (star.size(), 0)};
+    large_[point] = std::move (large);
   }
 
   Star
@@ -99,12 +102,7 @@ public:
                ++p) {
             std::uint8_t* flag = oneWay (p);
             for (const index_t q : star (p)) {
-              const Star back = star (q);
-              // Where p is, is as good as random: there is no branch for it.
-              int known = 0;
-              for (const index_t r : back)
-                known |= static_cast<int> (r == p);
-              *flag++ = static_cast<std::uint8_t> (1 - known);
+              *flag++ = knows (q, p) ? 0 : 1;
             }
           }
         });
@@ -120,6 +118,32 @@ public:
   }
 
 private:
+  static constexpr index_t NOBODY = OrientedPoints::INVALID;
+  /** Neighbours are compared so many at a time. */
+  static constexpr std::size_t STEP = 4;
+
+  static std::size_t
+  roundUp (std::size_t count)
+  {
+    return (count + STEP - 1) / STEP * STEP;
+  }
+
+  /** \brief Whether a point has another in its star. Where is as good as random: there
+   * is no branch for it.
+   */
+  bool
+  knows (index_t point, index_t other) const
+  {
+    const Star found = star (point);
+    const index_t* const first = found.first;
+    const std::size_t room = std::max (roundUp (found.size()), room_);
+    std::array<int, STEP> known{};
+    for (std::size_t i = 0; i < room; i += STEP)
+      for (std::size_t j = 0; j < STEP; ++j)
+        known[j] |= static_cast<int> (first[i + j] == other);
+    return (known[0] | known[1] | known[2] | known[3]) != 0;
+  }
+
   struct LargeStar {
     std::vector<index_t> neighbors;
     std::vector<std::uint8_t> one_way;
@@ -167,17 +191,25 @@ filterNeighbors (const OrientedPoints& points,
     graph.mean_spacing = spacing_sum / static_cast<double> (points.size());
 }
 
-/** \brief Sorts few numbers. */
+/** \brief Sorts a star, in which nobody is twice. */
 void
-insertionSort (index_t* first, const index_t* last)
+sortStar (index_t* first, index_t* last)
 {
-  for (index_t* end = first; end < last; ++end) {
-    const index_t number = *end;
-    index_t* at = end;
-    for (; at > first && at[-1] > number; --at)
-      *at = at[-1];
-    *at = number;
+  constexpr std::ptrdiff_t FEW = 16;
+  const std::ptrdiff_t count = last - first;
+  if (count > FEW) {
+    std::sort (first, last);
+    return;
   }
+  // Each goes where the number of those that are less tells, of all at once.
+  std::array<index_t, FEW> star{};
+  std::copy (first, last, star.begin());
+  std::array<index_t, FEW> less{};
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < star.size(); ++j)
+      less[j] += static_cast<index_t> (star[i] < star[j]);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+    first[less[i]] = star[i];
 }
 
 /** \brief "Visiting every point p, getting all its neighbors p_i and assigning p as
@@ -213,8 +245,8 @@ symmetrize (DirectedStars& stars, const Workers& workers, SurfaceGraph& graph)
         for (std::size_t p = first; p < last; ++p) {
           const Star own = stars.star (static_cast<index_t> (p));
           std::copy (own.begin(), own.end(), graph.neighbors.data() + graph.offsets[p]);
-          insertionSort (graph.neighbors.data() + graph.offsets[p],
-                         graph.neighbors.data() + graph.offsets[p + 1]);
+          sortStar (graph.neighbors.data() + graph.offsets[p],
+                    graph.neighbors.data() + graph.offsets[p + 1]);
         }
       });
 }
