@@ -30,9 +30,12 @@ copyIndices (const PointTree& tree,
              int i,
              std::vector<index_t>& found)
 {
-  found.assign (1, tree.index (neighbors.first + i));
-  for (std::size_t j = neighbors.offsets[i]; j < neighbors.offsets[i + 1]; ++j)
-    found.push_back (tree.index (neighbors.places[j]));
+  const std::size_t first = neighbors.offsets[i];
+  const std::size_t count = neighbors.offsets[i + 1] - first;
+  found.resize (1 + count);
+  found[0] = tree.index (neighbors.first + i);
+  for (std::size_t j = 0; j < count; ++j)
+    found[1 + j] = tree.index (neighbors.places[first + j]);
 }
 
 /** \brief Searches for single points from several threads. */
