@@ -107,18 +107,17 @@ struct GrowingForest {
       if (membership[p] != Membership::CREST)
         continue;
       for (const index_t q : graph.star (p)) {
-        if (membership[q] == Membership::OUTSIDE)
-          continue;
-        // Of equally near points the lowest comes first.
+        // Of equally near points the lowest comes first. Which is nearer is as good as
+        // random: there is no branch for it.
         const float length = lengthOf (points, p, q);
-        if (length < shortest[q]) {
-          shortest[q] = length;
-          nearest[q] = p;
-        }
+        const bool shorter = length < shortest[q];
+        shortest[q] = shorter ? length : shortest[q];
+        nearest[q] = shorter ? p : nearest[q];
       }
     }
     for (index_t q = 0; q < static_cast<index_t> (graph.size()); ++q)
-      if (nearest[q] != OrientedPoints::INVALID && trees.unite (nearest[q], q))
+      if (nearest[q] != OrientedPoints::INVALID &&
+          membership[q] != Membership::OUTSIDE && trees.unite (nearest[q], q))
         edges.push_back (makeEdge (
             points, nearest[q], q, edgeType (membership[q], Membership::CREST)));
   }
@@ -130,16 +129,24 @@ struct GrowingForest {
   takeOthers (Membership from)
   {
     std::vector<CrestEdge> missing;
-    trees.flatten();
+    std::vector<index_t> apart;
+    const std::vector<index_t>& tree = trees.flatten();
     for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
       if (membership[p] != from)
         continue;
-      const index_t tree = trees.find (p);
-      for (const index_t q : graph.star (p))
-        if (trees.find (q) != tree &&
-            (membership[q] == Membership::CREST || membership[q] == from) &&
-            (membership[q] != from || p < q))
-          missing.push_back (makeEdge (points, p, q, edgeType (from, membership[q])));
+      const Star star = graph.star (p);
+      apart.resize (star.size());
+      std::size_t count = 0;
+      for (const index_t q : star) {
+        const bool of_two = (membership[q] == from) & (p < q);
+        const bool to_crest =
+            (membership[q] == Membership::CREST) & (membership[q] != from);
+        apart[count] = q;
+        count += static_cast<std::size_t> ((tree[q] != tree[p]) & (of_two | to_crest));
+      }
+      for (std::size_t i = 0; i < count; ++i)
+        missing.push_back (
+            makeEdge (points, p, apart[i], edgeType (from, membership[apart[i]])));
     }
     takeByType (missing, trees, edges);
   }

@@ -39,13 +39,14 @@ public:
     return a != b;
   }
 
-  /** \brief Makes find the work of one step, until sets are united again. */
-  void
+  /** \brief What find returns for each, until sets are united again. */
+  const std::vector<index_t>&
   flatten ()
   {
     // Parents are lower, so that they are done before.
     for (index_t& parent : parent_)
       parent = parent_[parent];
+    return parent_;
   }
 
 private:
