@@ -40,6 +40,7 @@ keptChains (const CreaseChains& chains, const CreaseJoins& joins)
         chain.closed ? chain.nodes >= LEAST_NODES_CLOSED
                      : chain.length >= LEAST_LENGTH ||
                            (joined[i] > 1 && chain.length >= LEAST_LENGTH_JOINED);
+    // Those whose roundness is not known count as sharp.
     const bool sharp = chain.strong >= LEAST_STRONG * chain.nodes &&
                        chain.roundness <= LARGEST_ROUNDNESS * chain.nodes;
     kept.push_back (chain.nodes >= LEAST_NODES && sharp && long_enough ? 1 : 0);
@@ -57,6 +58,7 @@ creaseOf (const CreaseNode& node)
   crease.normal = node.normal.cast<float>();
   crease.angle = static_cast<float> (node.angle);
   crease.ratio = static_cast<float> (node.ratio);
+  crease.roundness = static_cast<float> (node.roundness);
   return crease;
 }
 

@@ -41,7 +41,8 @@ constexpr double FARTHEST_FOOT = 1.0;
  * the faces of an edge may have. */
 constexpr double ZERO_RESIDUAL = 0.05;
 constexpr double ZERO = ZERO_RESIDUAL * ZERO_RESIDUAL;
-/** Squared distances that tell a round edge from a sharp one even without noise. */
+/** In squared spacings: the noise that a round edge has to exceed, where there is less.
+ */
 constexpr double LEAST_NOISE = 0.02 * 0.02;
 
 /** Of each window the mean squared distance from a cubic. */
@@ -124,8 +125,10 @@ public:
         normals.add (neighbors_[added].normal);
       if (count == NOISE_WINDOW)
         of_noise_window_ = smooth[w];
-      // In the frame of the edge it will be a little different.
-      if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC)
+      // In the frame of the edge it will be a little different. No faces leave less
+      // than what is noise for certain.
+      if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC &&
+          noiseOf (count) < LARGEST_RESIDUAL * LARGEST_RESIDUAL)
         fitWindow (count, smooth[w], normals, best);
     }
     return best;
@@ -234,12 +237,13 @@ private:
   }
 
   /** \brief Whether neighbours lie around the sample rather than on a line or two of a
-   * scan, of which a cubic leaves little whatever the noise from line to line.
+   * scan, of which a cubic leaves little whatever the noise from line to line. The same
+   * is said of what is folded by much more than 90 degrees: that is sharp enough.
    */
   bool
   isSpread (std::size_t count) const
   {
-    // About the square of width over length.
+    // The square of width over length.
     constexpr double LEAST_WIDTH = 0.5;
     Scatter positions;
     for (std::size_t i = 0; i < count; ++i)

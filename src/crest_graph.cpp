@@ -138,11 +138,14 @@ struct GrowingForest {
       apart.resize (star.size());
       std::size_t count = 0;
       for (const index_t q : star) {
-        const bool of_two = (membership[q] == from) & (p < q);
-        const bool to_crest =
-            (membership[q] == Membership::CREST) & (membership[q] != from);
+        const auto same = static_cast<std::size_t> (membership[q] == from);
+        const auto crest =
+            static_cast<std::size_t> (membership[q] == Membership::CREST);
+        const auto once = static_cast<std::size_t> (p < q);
+        const auto other_tree = static_cast<std::size_t> (tree[q] != tree[p]);
         apart[count] = q;
-        count += static_cast<std::size_t> ((tree[q] != tree[p]) & (of_two | to_crest));
+        // One of the same membership is met from both ends.
+        count += other_tree & ((same & once) | (crest & (1 - same)));
       }
       for (std::size_t i = 0; i < count; ++i)
         missing.push_back (

@@ -29,7 +29,8 @@ constexpr double LEAST_RELIEF_TURN = 0.7;
 constexpr double LINE_CONFIDENCE = 4.0;
 /** Least length of a line in widths of its crest. */
 constexpr double LEAST_ELONGATION = 0.75;
-/** The same where points are as certain as this: a border may cut off the rest. */
+/** The same where points are as certain as this. Among those of noise there are some
+ * wide ones; of certain ones borders and crossings may cut off what is missing. */
 constexpr double CERTAIN_Z = 10.0;
 constexpr double LEAST_CERTAIN_ELONGATION = 0.4;
 /** No point is believed to be more certain than this. */
@@ -61,6 +62,7 @@ public:
     if (widest)
       return 1.0F;
     const Flank flanks[] = {flank (point, t1), flank (point, -t1)};
+    // Nobody knows how far it would fall where data end.
     if (flanks[0].ends != flanks[1].ends)
       return 1.0F - flanks[flanks[0].ends ? 1 : 0].least / k1;
     return 1.0F - std::max (flanks[0].least, flanks[1].least) / k1;
@@ -69,6 +71,8 @@ public:
 private:
   /** Wider than any crest that is not of the coarsest level, and than any fit. */
   static constexpr int MOST_STEPS = 40;
+  /** Wider than a walk needs: a gap by chance is no end. */
+  static constexpr double GOES_ON = 0.5;
 
   /** \brief Whether the data end in a direction within reach of the fits that made the
    * profile: those around the point, which reach as far as its own again.
@@ -78,8 +82,6 @@ private:
   {
     const index_t start = point;
     constexpr float REACH = 1.5F;
-    // Wider than a walk needs: a gap by chance is no end.
-    constexpr double GOES_ON = 0.5;
     const float reach = REACH * profiles_[start].radius;
     for (int step = 0; step < MOST_STEPS && points_.edge (start, point).norm() < reach;
          ++step) {
@@ -112,9 +114,10 @@ private:
     const float sign = profiles_[point].curvature.k1 > 0.0F ? 1.0F : -1.0F;
     float smallest = top;
     for (int step = 0; step < MOST_STEPS && smallest >= 0.0F; ++step) {
-      point = next (point, direction, DOWNHILL);
+      const index_t from = point;
+      point = next (from, direction, DOWNHILL);
       if (point == OrientedPoints::INVALID)
-        return {smallest, smallest >= 0.0F};
+        return {smallest, next (from, direction, GOES_ON) == OrientedPoints::INVALID};
       if (!profiles_[point].curvature.valid)
         break;
       const CrestProfile& profile = profiles_[point];

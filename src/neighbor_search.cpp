@@ -91,9 +91,7 @@ private:
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters)
 {
-  int exponent = 0;
-  std::frexp (points.extent, &exponent);
-  const double scale = std::ldexp (1.0, -exponent);
+  const double scale = 1.0 / points.unit;
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   cloud->reserve (points.size());
   for (const Eigen::Vector3f& p : points.positions) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/oriented_points.h>
+#include <pcl_crest/search/point_tree.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -94,9 +95,11 @@ isValid (const PointView& cloud, std::size_t i)
          normal.cwiseAbs().maxCoeff() > 0.0F;
 }
 
-/** \brief The valid points in Morton order, coincident ones next to each other. */
+/** \brief The valid points in Morton order, coincident ones next to each other.
+ * \param[out] points get extent and unit
+ */
 std::vector<Sample>
-sortedSamples (const PointView& cloud, const Workers& workers, double& extent)
+sortedSamples (const PointView& cloud, const Workers& workers, OrientedPoints& points)
 {
   std::vector<Sample> samples;
   reserveLarge (samples, cloud.size);
@@ -113,7 +116,9 @@ sortedSamples (const PointView& cloud, const Workers& workers, double& extent)
   if (samples.empty())
     return samples;
 
-  extent = (high.cast<double>() - low.cast<double>()).maxCoeff();
+  const double extent = (high.cast<double>() - low.cast<double>()).maxCoeff();
+  points.extent = extent;
+  points.unit = unitFor (extent, low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff());
   constexpr double CELLS = (1 << 21) - 1;
   if (extent > 0.0)
     forEachBlock (samples.size(),
@@ -174,7 +179,7 @@ packOrientedPoints (const PointView& cloud, const Workers& workers)
 {
   OrientedPoints points;
   points.packed_index = makeLarge<index_t> (cloud.size, OrientedPoints::INVALID);
-  const std::vector<Sample> samples = sortedSamples (cloud, workers, points.extent);
+  const std::vector<Sample> samples = sortedSamples (cloud, workers, points);
   const std::vector<std::size_t> begins = beginsOfPlaces (samples);
   const std::size_t places = begins.size() - 1;
   points.normals = makeLarge<Eigen::Vector3f> (places, Eigen::Vector3f::Zero());

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -28,7 +27,7 @@ class QuadrantFilter {
 public:
   QuadrantFilter (const OrientedPoints& points, const Parameters& parameters)
   : points_ (points)
-  , unit_ (unitOf (points.extent))
+  , scale_ (scaleOf (points.unit))
   , intervals_ (4 * parameters.points_per_quadrant)
   , per_quadrant_ (parameters.points_per_quadrant)
   // A jump is an angle above the limit.
@@ -38,7 +37,7 @@ public:
     // Borders belong to the side nearer to the axis.
     const double width = 2.0 * M_PI / intervals_;
     for (int i = 0; i < intervals_ / 2; ++i) {
-      const double angle = (i + 0.5 + SLACK) * width;
+      const double angle = (i + 0.5) * width + SLACK;
       borders_.emplace_back (static_cast<float> (std::cos (angle)),
                              static_cast<float> (std::sin (angle)));
     }
@@ -61,15 +60,17 @@ public:
       sort (point);
   }
 
-  /** \brief Mean distance to the 6 nearest of the ranked. */
+  /** \brief Mean distance of the ranked point from the 6 nearest, in the cloud's unit.
+   * In doubles, which do not vanish beside a point that is very far away.
+   */
   double
-  spacing () const
+  spacing (index_t point) const
   {
     const std::size_t count = std::min<std::size_t> (6, candidates_.size());
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i)
-      sum += std::sqrt (static_cast<double> (squared_[i]));
-    return count == 0 ? 0.0 : sum / static_cast<double> (count) / unit_;
+      sum += points_.edge (point, candidates_[i]).norm();
+    return count == 0 ? 0.0 : sum / static_cast<double> (count);
   }
 
   /** \brief Appends the neighbours of the ranked point; returns whether it lies on the
@@ -114,16 +115,14 @@ private:
   /** Loops over candidates go on to a multiple of this. */
   static constexpr std::size_t STEP = 8;
 
-  /** \brief A power of two in which a cloud is about one wide: squares of floats
-   * neither overflow nor vanish.
+  /** \brief What coordinates are multiplied by, so that their squares fit into floats:
+   * the inverse of the unit as far as that is a float itself.
    */
   static float
-  unitOf (double extent)
+  scaleOf (double unit)
   {
-    constexpr int LARGEST = 125;
-    int exponent = 0;
-    std::frexp (extent, &exponent);
-    return std::ldexp (1.0F, std::clamp (-exponent, -LARGEST, LARGEST));
+    constexpr float LARGEST = 0x1p125F;
+    return static_cast<float> (std::min<double> (LARGEST, 1.0 / unit));
   }
 
   /** \brief Sets what is known of each candidate. */
@@ -131,7 +130,7 @@ private:
   gather (index_t point)
   {
     const std::size_t count = candidates_.size();
-    const std::size_t padded = (count + STEP - 1) / STEP * STEP;
+    const std::size_t padded = paddedCount();
     for (auto* values : {&x_, &y_, &z_, &squared_, &normal_x_, &normal_y_, &normal_z_})
       values->resize (std::max (padded, values->size()));
     on_sheet_.resize (squared_.size());
@@ -156,13 +155,15 @@ private:
       normal_y[i] = m.y();
       normal_z[i] = m.z();
     }
+    for (std::size_t i = count; i < padded; ++i)
+      x[i] = y[i] = z[i] = normal_x[i] = normal_y[i] = normal_z[i] = 0.0F;
     // As products with a power of two are exact, differences are rounded but once.
-    const float unit = unit_;
-    const Eigen::Vector3f p = unit * points_.positions[point];
+    const float scale = scale_;
+    const Eigen::Vector3f p = scale * points_.positions[point];
     for (std::size_t i = 0; i < padded; ++i) {
-      x[i] = x[i] * unit - p.x();
-      y[i] = y[i] * unit - p.y();
-      z[i] = z[i] * unit - p.z();
+      x[i] = x[i] * scale - p.x();
+      y[i] = y[i] * scale - p.y();
+      z[i] = z[i] * scale - p.z();
       squared[i] = (x[i] * x[i] + y[i] * y[i]) + z[i] * z[i];
     }
   }
@@ -309,7 +310,7 @@ private:
   }
 
   const OrientedPoints& points_;
-  float unit_;
+  float scale_;
   int intervals_;
   int per_quadrant_;
   float min_cosine_;

@@ -101,9 +101,8 @@ public:
           for (auto p = static_cast<index_t> (first); p < static_cast<index_t> (last);
                ++p) {
             std::uint8_t* flag = oneWay (p);
-            for (const index_t q : star (p)) {
+            for (const index_t q : star (p))
               *flag++ = knows (q, p) ? 0 : 1;
-            }
           }
         });
   }
@@ -141,7 +140,10 @@ private:
     for (std::size_t i = 0; i < room; i += STEP)
       for (std::size_t j = 0; j < STEP; ++j)
         known[j] |= static_cast<int> (first[i + j] == other);
-    return (known[0] | known[1] | known[2] | known[3]) != 0;
+    int any = 0;
+    for (const int k : known)
+      any |= k;
+    return any != 0;
   }
 
   struct LargeStar {
@@ -178,7 +180,7 @@ filterNeighbors (const OrientedPoints& points,
         candidates.visit (
             first, last, [&] (index_t point, const std::vector<index_t>& found) {
               filter.rank (point, found);
-              graph.spacing[point] = static_cast<float> (filter.spacing());
+              graph.spacing[point] = static_cast<float> (filter.spacing (point));
               star.clear();
               graph.boundary[point] = filter.select (point, star) ? 1 : 0;
               stars.set (point, star);

@@ -162,6 +162,29 @@ TEST (SurfaceGraph, PclsTreeFindsWhatBruteForceFinds)
   EXPECT_EQ (by_tree.neighbors, by_force.neighbors);
 }
 
+TEST (SurfaceGraph, IsTheSameFarAway)
+{
+  // The plane is narrow, but its height is near the largest float.
+  const auto graphAt = [] (float height) {
+    auto cloud = *oracle::sample (oracle::plane(), 1000);
+    for (pcl::PointNormal& point : cloud)
+      point.z = height;
+    const OrientedPoints points = oracle::pack (cloud);
+    const Parameters parameters = withNeighbors (24);
+    const SurfaceGraph by_leaves =
+        buildSurfaceGraph (points, batchedTree (points, 1), parameters);
+    const SurfaceGraph by_tree =
+        buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
+    EXPECT_EQ (by_leaves.neighbors, by_tree.neighbors) << height;
+    return by_leaves;
+  };
+  const SurfaceGraph near = graphAt (0.0F);
+  const SurfaceGraph far = graphAt (3e38F);
+  EXPECT_GT (near.neighbors.size(), 4000U);
+  EXPECT_EQ (near.neighbors, far.neighbors);
+  EXPECT_EQ (near.spacing, far.spacing);
+}
+
 TEST (SurfaceGraph, LatticePointsAreJoinedWithTheEightAround)
 {
   const OrientedPoints points = oracle::pack (lattice (9));

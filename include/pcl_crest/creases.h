@@ -22,9 +22,10 @@ struct Crease {
   /** mean squared distance of the samples around from the two faces, as a part of that
    * from the best smooth surface: the smaller, the more certain */
   float ratio = 1.0F;
-  /** the same as a part of what a smooth surface leaves of the few nearest samples, 0
-   * if the faces were fitted to no more than these: well above 1 where it is no noise
-   * that the faces leave, but the edge is round */
+  /** the same as a part of what a smooth surface leaves of the 30 nearest, .02 spacings
+   * at least: well above 1 where it is no noise that the faces leave, but the edge is
+   * round; 0 if the faces were fitted to no more samples than these, or if these lie
+   * in a narrow strip and tell nothing */
   float roundness = 0.0F;
 };
 
@@ -39,8 +40,9 @@ constexpr int CREASE_NEIGHBORS = 96;
  * plane that each neighbour belongs to, which starts from the normals. The solid is
  * behind both planes at a convex edge, and behind either at a concave one. A cubic
  * height function in the same window is what they have to beat: it follows all that is
- * smooth at this scale, so that smooth crests, however narrow, stay with the later
- * stages. Of the windows the one with the smallest ratio of the residuals counts.
+ * smooth at this scale, so that smooth crests stay with the later stages. Those that
+ * are narrower than a window are told by their roundness. Of the windows the one with
+ * the smallest ratio of the residuals counts.
  *
  * \param[in] points, graph the samples; spacings are taken from the graph
  * \param[in] search finds CREASE_NEIGHBORS neighbours

@@ -13,9 +13,9 @@ struct CrestEvidence {
   const std::vector<CrestProfile>& profiles;
   const std::vector<CrestType>& crest_points;
   /** for each crest point how far |k1| falls until it rises again, as a part of it: of
-   * the two sides the smaller part; 1 for those of the coarsest level, but 0 where
-   * data end beside their fits; 0 for those of any fit over more than a turn of 1.5
-   * radians that data end beside on both sides */
+   * the two sides the smaller part, unless data end on one; 1 for those of the coarsest
+   * level, but 0 where data end beside their fits; 0 for those of any fit over more
+   * than a radian that data end beside */
   std::vector<float> prominence;
 };
 

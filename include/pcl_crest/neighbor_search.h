@@ -20,8 +20,8 @@ struct PointTree;
 
 /** \brief The default: PCL's KdTree over the packed points, scaled to about the unit
  * box, since squares of very large or small coordinates do not fit into its floats, by
- * a power of two, which rounds nothing. \param[in] points to search in \param[in]
- * parameters k and radius are used
+ * a power of two, which rounds nothing.
+ * \param[in] points to search in \param[in] parameters k and radius are used
  */
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters);

@@ -51,6 +51,8 @@ struct OrientedPoints {
   std::vector<index_t> packed_index;
   /** largest side of the axis-aligned bounding box, in the cloud's unit */
   double extent = 0.0;
+  /** a power of two to measure in where squares have to fit into floats (unitFor) */
+  double unit = 1.0;
 
   std::size_t
   size () const

@@ -45,19 +45,18 @@ survey (const float* coordinates, std::size_t stride, std::size_t size, int thre
   return {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, first_invalid};
 }
 
-/** \brief The power of two that brings the largest side of the bounding box below one.
- */
 double
 unitOf (const Box& bounds)
 {
   double extent = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-    extent = std::max (extent,
-                       static_cast<double> (bounds.high[axis]) -
-                           static_cast<double> (bounds.low[axis]));
-  int exponent = 0;
-  std::frexp (extent, &exponent);
-  return std::ldexp (1.0, exponent);
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = bounds.low[axis];
+    const double high = bounds.high[axis];
+    extent = std::max (extent, high - low);
+    largest = std::max ({largest, std::abs (low), std::abs (high)});
+  }
+  return unitFor (extent, largest);
 }
 
 /** \brief Memory that holds the points one after the other, then the leaves. */
@@ -168,6 +167,18 @@ void
 PointTree::Release::operator() (PointLeaf* leaves) const
 {
   ::operator delete (leaves, std::align_val_t{alignof (PointLeaf)});
+}
+
+double
+unitFor (double extent, double largest)
+{
+  // A plane far away may be at the largest floats and still be narrow.
+  constexpr int LARGEST_EXPONENT = std::numeric_limits<float>::max_exponent - 2;
+  int exponent = 0;
+  int exponent_of_largest = 0;
+  std::frexp (extent, &exponent);
+  std::frexp (largest, &exponent_of_largest);
+  return std::ldexp (1.0, std::max (exponent, exponent_of_largest - LARGEST_EXPONENT));
 }
 
 std::string

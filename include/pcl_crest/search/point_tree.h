@@ -74,6 +74,14 @@ struct PointTree {
   }
 };
 
+/** \brief A power of two to measure points in: a cloud is not wider than it, so that
+ * squares of distances do not overflow, and coordinates do not either.
+ * \param[in] extent largest side of the bounding box of the points
+ * \param[in] largest of the absolute values of their coordinates
+ */
+double
+unitFor (double extent, double largest);
+
 /** Most points a tree takes: places and indices have 32 bits. */
 constexpr std::size_t MOST_POINTS = 0x7fffffff;
 
