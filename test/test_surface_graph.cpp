@@ -171,7 +171,7 @@ TEST (SurfaceGraph, IsTheSameFarAway)
       point.z = height;
     const OrientedPoints points = oracle::pack (cloud);
     const Parameters parameters = withNeighbors (24);
-    const SurfaceGraph by_leaves =
+    SurfaceGraph by_leaves =
         buildSurfaceGraph (points, batchedTree (points, 1), parameters);
     const SurfaceGraph by_tree =
         buildSurfaceGraph (points, kdTreeSearch (points, parameters), parameters);
