@@ -23,10 +23,11 @@ allSurfaces ()
                            oracle::crossingRidges,
                            oracle::parallelRidges,
                            oracle::unevenRidges,
-                           oracle::superellipsoid})
+                           oracle::superellipsoid,
+                           oracle::spiralRidge})
     all.push_back ({make(), "tuned"});
   for (const auto& make :
-       {oracle::heldOutHarmonics, oracle::heldOutSpiral, oracle::heldOutRoof})
+       {oracle::heldOutHarmonics, oracle::heldOutDunes, oracle::heldOutRoof})
     all.push_back ({make(), "held_out"});
   all.push_back ({oracle::plane(), "silent"});
   all.push_back ({oracle::sphere (1.0), "silent"});

@@ -105,4 +105,17 @@ superellipsoid ()
   });
 }
 
+AnalyticSurface
+spiralRidge ()
+{
+  return make ("spiral", 0.25, 1.15, -PI, PI, [] (auto radius, auto angle) {
+    using T = decltype (radius);
+    const T winding = cos (angle - 2.0 * PI * radius / 0.45);
+    return std::array<T, 3>{radius * cos (angle),
+                            radius * sin (angle),
+                            0.11 * exp (3.5 * (winding - 1.0)) -
+                                0.25 * radius * radius};
+  });
+}
+
 } // namespace oracle

@@ -33,4 +33,10 @@ unevenRidges ();
 AnalyticSurface
 superellipsoid ();
 
+/** \brief A spiral ridge of two turns on a shallow dome with a hole; its top has a
+ * radius of about a spacing if there are 20 000 samples.
+ */
+AnalyticSurface
+spiralRidge ();
+
 } // namespace oracle

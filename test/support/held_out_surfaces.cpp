@@ -15,15 +15,13 @@ heldOutHarmonics ()
 }
 
 AnalyticSurface
-heldOutSpiral ()
+heldOutDunes ()
 {
-  return make ("held-out spiral", 0.25, 1.15, -PI, PI, [] (auto radius, auto angle) {
-    using T = decltype (radius);
-    const T winding = cos (angle - 2.0 * PI * radius / 0.45);
-    return std::array<T, 3>{radius * cos (angle),
-                            radius * sin (angle),
-                            0.11 * exp (3.5 * (winding - 1.0)) -
-                                0.25 * radius * radius};
+  return make ("held-out dunes", -1.0, 1.0, -1.0, 1.0, [] (auto u, auto v) {
+    using T = decltype (u);
+    const T wave = sin (4.2 * u + 0.8 * sin (2.1 * v + 0.4));
+    return std::array<T, 3>{
+        u, v, 0.14 * exp (2.2 * (wave - 1.0)) + 0.06 * sin (2.7 * v - 0.6 * u)};
   });
 }
 

@@ -10,9 +10,9 @@ namespace oracle {
 /** \brief A sphere with the swellings and hollows of two spherical harmonics. */
 AnalyticSurface
 heldOutHarmonics ();
-/** \brief A spiral ridge of two turns on a shallow dome with a hole. */
+/** \brief Winding ridges and hollows, skewed along their way. */
 AnalyticSurface
-heldOutSpiral ();
+heldOutDunes ();
 /** \brief A hipped roof with rounded edges: straight lines that meet in threes. */
 AnalyticSurface
 heldOutRoof ();
