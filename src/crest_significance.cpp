@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace pcl {
 namespace crest {
@@ -24,6 +26,9 @@ constexpr double LARGEST_RELIEF = 10.0;
 /** Least mean turn of the relief, as a part of that of the crest: the same on surfaces
  * that are curved already, where a ripple makes a crest that turns by a lot. */
 constexpr double LEAST_RELIEF_TURN = 0.7;
+/** Least part of a branch's points that may bear out a line where all do not: pruning
+ * joins weak pieces to strong ones, but each try is one more chance for noise. */
+constexpr double LEAST_PART = 0.9;
 /** Certainty of a line against that of its points: a line is a lucky one of the very
  * many that noise could draw. */
 constexpr double LINE_CONFIDENCE = 4.0;
@@ -218,6 +223,43 @@ struct Summary {
   }
 };
 
+/** \brief How many points from the start of a branch bear it out, as many as can be, if
+ * nearly all of it do; else none.
+ * \param[in] first, last of the branch, in either direction
+ */
+template <typename Iterator>
+std::size_t
+significantStart (const CrestEvidence& evidence,
+                  Iterator first,
+                  Iterator last,
+                  double angle)
+{
+  const double least = LEAST_PART * static_cast<double> (std::distance (first, last));
+  Summary summary;
+  std::size_t longest = 0;
+  for (; first != last; ++first) {
+    summary.add (evidence, *first);
+    if (static_cast<double> (summary.points) >= least && summary.bearsOut (angle))
+      longest = summary.points;
+  }
+  return longest;
+}
+
+/** \brief The first point and the end of what is significant of a branch. */
+std::pair<std::size_t, std::size_t>
+significantPart (const CrestEvidence& evidence,
+                 const std::vector<index_t>& branch,
+                 double angle)
+{
+  const std::size_t from_start =
+      significantStart (evidence, branch.begin(), branch.end(), angle);
+  const std::size_t to_end =
+      significantStart (evidence, branch.rbegin(), branch.rend(), angle);
+  if (from_start >= to_end)
+    return {0, from_start};
+  return {branch.size() - to_end, branch.size()};
+}
+
 /** \brief Removes growth from ends. */
 void
 trimGrowth (const CrestEvidence& evidence, Forest& graph)
@@ -304,22 +346,22 @@ significantBranches (const OrientedPoints& points,
   constexpr int ROUNDS = 3;
   for (int round = 0; round < ROUNDS; ++round) {
     Forest graph (edges);
-    std::vector<std::vector<int>> removed;
+    std::vector<std::pair<int, int>> removed;
     std::vector<bool> seen (static_cast<std::size_t> (graph.size()), false);
     for (int v = 0; v < graph.size(); ++v) {
       if (seen[v])
         continue;
-      for (std::vector<int>& branch : graph.branches (graph.component (v, seen))) {
-        Summary summary;
-        for (const index_t p : graph.packed (branch))
-          summary.add (evidence, p);
-        if (!summary.bearsOut (angle))
-          removed.push_back (std::move (branch));
+      for (const std::vector<int>& branch :
+           graph.branches (graph.component (v, seen))) {
+        const auto [first, end] =
+            significantPart (evidence, graph.packed (branch), angle);
+        for (std::size_t i = 1; i < branch.size(); ++i)
+          if (i <= first || i >= end)
+            removed.emplace_back (branch[i - 1], branch[i]);
       }
     }
-    for (const std::vector<int>& branch : removed)
-      for (std::size_t i = 1; i < branch.size(); ++i)
-        graph.removeEdge (branch[i - 1], branch[i]);
+    for (const auto& [v, w] : removed)
+      graph.removeEdge (v, w);
     edges = pruneShortBranches (points, graph.remaining (edges), limits);
     if (removed.empty())
       break;
