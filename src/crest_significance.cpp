@@ -260,6 +260,30 @@ significantPart (const CrestEvidence& evidence,
   return {branch.size() - to_end, branch.size()};
 }
 
+/** \brief Whether a branch between junctions leaves one of them across its crest, and
+ * is borne out by these alone: then it is a rung between two lines.
+ */
+bool
+isRung (const OrientedPoints& points,
+        const CrestEvidence& evidence,
+        const std::vector<index_t>& branch,
+        double angle)
+{
+  constexpr float ACROSS = 0.7F;
+  const Eigen::Vector3f chord =
+      points.edge (branch.front(), branch.back()).normalized().cast<float>();
+  const auto leavesAcross = [&] (index_t junction) {
+    return std::abs (chord.dot (evidence.profiles[junction].curvature.t1)) > ACROSS;
+  };
+  if (branch.size() == 2 ||
+      !(leavesAcross (branch.front()) || leavesAcross (branch.back())))
+    return false;
+  Summary between;
+  for (std::size_t i = 1; i + 1 < branch.size(); ++i)
+    between.add (evidence, branch[i]);
+  return !between.bearsOut (angle);
+}
+
 /** \brief Removes growth from ends. */
 void
 trimGrowth (const CrestEvidence& evidence, Forest& graph)
@@ -353,10 +377,13 @@ significantBranches (const OrientedPoints& points,
         continue;
       for (const std::vector<int>& branch :
            graph.branches (graph.component (v, seen))) {
-        const auto [first, end] =
-            significantPart (evidence, graph.packed (branch), angle);
+        const std::vector<index_t> on_branch = graph.packed (branch);
+        const bool bridge =
+            graph.degree (branch.front()) > 2 && graph.degree (branch.back()) > 2;
+        const bool rung = bridge && isRung (points, evidence, on_branch, angle);
+        const auto [first, end] = significantPart (evidence, on_branch, angle);
         for (std::size_t i = 1; i < branch.size(); ++i)
-          if (i <= first || i >= end)
+          if (rung || i <= first || i >= end)
             removed.emplace_back (branch[i - 1], branch[i]);
       }
     }

@@ -48,14 +48,21 @@ struct Branch {
     std::fill (prominence.begin() + strong, prominence.end(), 0.0F);
   }
 
-  /** \brief The points of what remains, or 0. */
-  std::size_t
-  significantPoints () const
+  /** \brief The number of edges that remain. */
+  [[nodiscard]] std::size_t
+  significantEdges () const
   {
     const CrestEvidence evidence{graph, profiles, crest_points, prominence};
-    const std::vector<CrestEdge> kept = significantBranches (
-        points, evidence, edges, std::vector<float> (points.size(), 5.0F), 25.0);
-    return kept.empty() ? 0 : kept.size() + 1;
+    const std::vector<float> limits (points.size(), 5.0F);
+    return significantBranches (points, evidence, edges, limits, 25.0).size();
+  }
+
+  /** \brief The points of what remains, or 0. */
+  [[nodiscard]] std::size_t
+  significantPoints () const
+  {
+    const std::size_t kept = significantEdges();
+    return kept == 0 ? 0 : kept + 1;
   }
 };
 
@@ -85,4 +92,34 @@ TEST (SignificantBranches, LoseAWeakEndAlone)
 TEST (SignificantBranches, GoWhereMuchIsWeak)
 {
   EXPECT_EQ (Branch (20, 20).significantPoints(), 0U);
+}
+
+// Two crests along y and points between them that are grown.
+TEST (SignificantBranches, AreNoRungs)
+{
+  const auto bridge = [] (const Eigen::Vector3f& across) {
+    std::vector<Eigen::Vector3f> positions;
+    const auto line = [&] (float x) {
+      for (int i = 0; i < 20; ++i)
+        positions.emplace_back (x, static_cast<float> (i), 0.0F);
+    };
+    line (0.0F);
+    line (3.0F);
+    positions.emplace_back (1.0F, 10.0F, 0.0F);
+    positions.emplace_back (2.0F, 10.0F, 0.0F);
+    Branch chain (static_cast<int> (positions.size()), 0);
+    for (CrestProfile& profile : chain.profiles)
+      profile.curvature.t1 = across;
+    chain.points = oracle::pointsAt (positions);
+    chain.crest_points[40] = chain.crest_points[41] = CrestType::NONE;
+    chain.edges = {{10, 40, EdgeType::A, 1.0},
+                   {40, 41, EdgeType::A, 1.0},
+                   {30, 41, EdgeType::A, 1.0}};
+    for (int i = 1; i < 20; ++i)
+      for (const int first : {0, 20})
+        chain.edges.push_back ({first + i - 1, first + i, EdgeType::A, 1.0});
+    return chain.significantEdges();
+  };
+  EXPECT_EQ (bridge (Eigen::Vector3f::UnitX()), 38U);
+  EXPECT_EQ (bridge (Eigen::Vector3f::UnitY()), 41U);
 }

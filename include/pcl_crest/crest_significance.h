@@ -28,8 +28,9 @@ gatherEvidence (const OrientedPoints& points,
 
 /** \brief Removes the branches whose points do not bear them out: few of them are crest
  * points, or the surface turns across them by less than `angle` degrees, or they are
- * ripples on the side of a larger crest. Of a branch that nearly all points bear out but
- * not all, the weaker end goes alone. What this leaves of growth at ends goes too.
+ * ripples on the side of a larger crest. Of a branch that nearly all points bear out
+ * but not all, the weaker end goes alone; rungs between two lines go that only their
+ * junctions bear out. What this leaves of growth at ends goes too.
  *
  * \param[in] points where the lines run
  * \param[in] evidence of the same points
