@@ -20,8 +20,10 @@ constexpr double LEAST_CREST_PART = 0.25;
 /** Least mean prominence. */
 constexpr double LEAST_PROMINENCE = 0.25;
 /** Least mean relief, in spacings: smaller is what is left of noise where it differs
- * little from sample to sample, as that of registered or smoothed scans does. */
+ * little from sample to sample, as that of registered or smoothed scans does. Less for
+ * who asks for a smaller turn than this, which lower ripples have. */
 constexpr double LEAST_RELIEF = 0.4;
+constexpr double FULL_RELIEF_ANGLE = 25.0;
 constexpr double LARGEST_RELIEF = 10.0;
 /** Least mean turn of the relief, as a part of that of the crest: the same on surfaces
  * that are curved already, where a ripple makes a crest that turns by a lot. */
@@ -218,7 +220,7 @@ struct Summary {
     return crest_points > 0 && turning_angle >= angle * count &&
            prominence >= LEAST_PROMINENCE * count &&
            relief_turn >= LEAST_RELIEF_TURN * angle * count &&
-           relief >= LEAST_RELIEF * count &&
+           relief >= LEAST_RELIEF * std::min (1.0, angle / FULL_RELIEF_ANGLE) * count &&
            count >= LEAST_CREST_PART * static_cast<double> (points);
   }
 };

@@ -264,7 +264,8 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
 TEST_F (LineTool, HelpGoesToTheStandardOutput)
 {
   for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"-h"}, {"a", "b.pcd", "-h"}}) {
+       std::vector<std::vector<std::string>>{
+           {"-h"}, {"--help"}, {"a", "b.pcd", "-h"}}) {
     const Outcome result = run (arguments);
     EXPECT_EQ (0, result.code);
     EXPECT_EQ ("", result.error);

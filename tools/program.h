@@ -33,13 +33,15 @@ fail (const std::string& program, ExitCode code, const std::string& message)
   return code;
 }
 
-/** \brief Whether -h is among the arguments, wherever: who asks for help may not know
- * how to write the rest.
+/** \brief Whether -h or --help is among the arguments, wherever: who asks for help may
+ * not know how to write the rest.
  */
 inline bool
 wantsHelp (int argc, const char* const* argv)
 {
-  return std::find (argv + 1, argv + argc, std::string ("-h")) != argv + argc;
+  return std::any_of (argv + 1, argv + argc, [] (const std::string& argument) {
+    return argument == "-h" || argument == "--help";
+  });
 }
 
 } // namespace crest
