@@ -298,7 +298,7 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in}, "found 1");
   expectUsageError ({in, out, "more"}, "found 3");
   expectUsageError ({in, out, "-quadrants", "2"}, "no option \"-quadrants\"");
-  expectUsageError ({in, out, "--help"}, "no option \"--help\"");
+  expectUsageError ({in, out, "--halp"}, "no option \"--halp\"");
   expectUsageError ({in, out, "-k"}, "-k needs a value");
   expectUsageError ({in, out, "-lines", "-stats"}, "-lines needs a value");
   expectUsageError ({in, out, "-k", "8", "-k", "9"}, "-k is given twice");
