@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/creases.h>
 
-#include <Eigen/Dense>
-
 #include "cubic_residuals.h"
 #include "large_arrays.h"
 #include "parallel.h"
@@ -11,14 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 namespace pcl {
 namespace crest {
 
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double DEGREES = 180.0 / M_PI;
@@ -78,20 +75,21 @@ public:
     neighbors_.clear();
     for (const index_t q : found)
       if (n.dot (points_.normals[q]) > OTHER_SIDE)
-        neighbors_.push_back (
-            {scale * points_.edge (sample, q), points_.normals[q].cast<double>(), q});
-    const auto nearer = [] (const Neighbor& a, const Neighbor& b) {
-      return std::make_tuple (a.position.squaredNorm(), a.point) <
-             std::make_tuple (b.position.squaredNorm(), b.point);
-    };
+        neighbors_.emplace_back (points_.edge (sample, q).squaredNorm(), q);
     // The batched search finds them in this order but for rounding.
-    if (!std::is_sorted (neighbors_.begin(), neighbors_.end(), nearer))
-      std::sort (neighbors_.begin(), neighbors_.end(), nearer);
-    const auto same = [] (const Neighbor& a, const Neighbor& b) {
-      return a.point == b.point;
-    };
-    neighbors_.erase (std::unique (neighbors_.begin(), neighbors_.end(), same),
+    if (!std::is_sorted (neighbors_.begin(), neighbors_.end()))
+      std::sort (neighbors_.begin(), neighbors_.end());
+    neighbors_.erase (std::unique (neighbors_.begin(), neighbors_.end()),
                       neighbors_.end());
+    if (neighbors_.size() > CREASE_NEIGHBORS)
+      neighbors_.resize (CREASE_NEIGHBORS);
+    positions_.resize (neighbors_.size());
+    normals_.resize (neighbors_.size());
+    for (std::size_t i = 0; i < neighbors_.size(); ++i) {
+      const index_t q = neighbors_[i].second;
+      positions_.set (i, scale * points_.edge (sample, q));
+      normals_.set (i, points_.normals[q].cast<double>());
+    }
   }
 
   /** \brief Sets a lane of the cubics to the neighbours. */
@@ -99,13 +97,13 @@ public:
   describe (int lane) const
   {
     Vector3d normal = points_.normals[sample_].cast<double>();
-    for (const Neighbor& neighbor : neighbors_)
-      normal += neighbor.normal;
+    for (std::size_t i = 0; i < neighbors_.size(); ++i)
+      normal += normals_[i];
     smooth_.set (lane,
                  normal.normalized(),
-                 neighbors_.empty() ? 1.0 : neighbors_.back().position.norm(),
-                 std::min<std::size_t> (neighbors_.size(), CREASE_NEIGHBORS),
-                 [this] (std::size_t i) { return neighbors_[i].position; });
+                 neighbors_.empty() ? 1.0 : positions_[neighbors_.size() - 1].norm(),
+                 neighbors_.size(),
+                 [this] (std::size_t i) { return positions_[i]; });
   }
 
   /** \param[in] smooth of the windows for which there are enough neighbours */
@@ -116,15 +114,20 @@ public:
     smallest_ratio_ = 1.0;
     of_noise_window_ = 0.0;
     Scatter normals;
+    all_ = Scatter();
     std::size_t added = 0;
+    const auto one = [] (std::size_t) { return 1.0; };
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
       const auto count = static_cast<std::size_t> (WINDOWS[w]);
       if (count > neighbors_.size())
         break;
-      for (; added < count; ++added)
-        normals.add (neighbors_[added].normal);
-      if (count == NOISE_WINDOW)
+      normals.add (normals_, added, count, one);
+      all_.add (positions_, added, count, one);
+      added = count;
+      if (count == NOISE_WINDOW) {
         of_noise_window_ = smooth[w];
+        is_spread_ = isSpread (all_);
+      }
       // In the frame of the edge it will be a little different. No faces leave less
       // than what is noise for certain.
       if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC &&
@@ -135,12 +138,6 @@ public:
   }
 
 private:
-  struct Neighbor {
-    Vector3d position;
-    Vector3d normal;
-    index_t point;
-  };
-
   /** The window that tells the noise, as a cubic follows most of what else there is,
    * and the part of its residual that is noise for certain, with 20 degrees of freedom.
    */
@@ -203,12 +200,8 @@ private:
     const Vector3d foot = crossing - crossing.dot (direction) * direction;
     if (foot.norm() > FARTHEST_FOOT)
       return;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3d& p = neighbors_[i].position;
-      sum += std::pow (planes[side_[i] > 0 ? 0 : 1].height (p), 2);
-    }
-    const double of_planes = sum / static_cast<double> (count - PLANE_PARAMETERS);
+    const double of_planes =
+        squaredHeights (count, planes) / static_cast<double> (count - PLANE_PARAMETERS);
     if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
       return;
     const Vector3d normal = (n + m).normalized();
@@ -231,7 +224,7 @@ private:
     best.angle = static_cast<float> (angle);
     best.ratio = static_cast<float> (ratio);
     best.roundness =
-        count > NOISE_WINDOW && isSpread (NOISE_WINDOW)
+        count > NOISE_WINDOW && is_spread_
             ? static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE))
             : 0.0F;
   }
@@ -240,17 +233,13 @@ private:
    * scan, of which a cubic leaves little whatever the noise from line to line. The same
    * is said of what is folded by much more than 90 degrees: that is sharp enough.
    */
-  bool
-  isSpread (std::size_t count) const
+  static bool
+  isSpread (const Scatter& positions)
   {
     // The square of width over length.
     constexpr double LEAST_WIDTH = 0.5;
-    Scatter positions;
-    for (std::size_t i = 0; i < count; ++i)
-      positions.add (neighbors_[i].position);
-    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect (positions.products(), Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()[1] > LEAST_WIDTH * solver.eigenvalues()[2];
+    const Vector3d squares = positions.axes();
+    return squares[1] > LEAST_WIDTH * squares[2];
   }
 
   /** \brief Whether some normals are on the other side of those of an edge's faces: of
@@ -261,12 +250,9 @@ private:
   {
     constexpr double STRAY_COSINE = -0.3;
     constexpr double STRAY_PART = 0.1;
-    const auto strays =
-        std::count_if (neighbors_.begin(),
-                       neighbors_.begin() + static_cast<std::ptrdiff_t> (count),
-                       [&] (const Neighbor& neighbor) {
-                         return neighbor.normal.dot (normal) < STRAY_COSINE;
-                       });
+    std::size_t strays = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      strays += normals_[i].dot (normal) < STRAY_COSINE ? 1 : 0;
     return static_cast<double> (strays) > STRAY_PART * static_cast<double> (count);
   }
 
@@ -285,24 +271,32 @@ private:
     // The sum of the variances along all axes.
     if (1.0 - mean.squaredNorm() < LEAST_VARIANCE)
       return false;
-    Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect (normals.products());
-    if (solver.eigenvalues()[2] < LEAST_VARIANCE * static_cast<double> (count))
+    double variance = 0.0;
+    const Vector3d axis = normals.longestAxis (variance);
+    if (variance < LEAST_VARIANCE * static_cast<double> (count))
       return false;
-    const Vector3d axis = solver.eigenvectors().col (2);
     side_.resize (count);
-    Vector3d difference = Vector3d::Zero();
+    const double* nx = normals_.x.data();
+    const double* ny = normals_.y.data();
+    const double* nz = normals_.z.data();
+    double* sides = side_.data();
+    const double middle = mean.dot (axis);
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+#pragma omp simd reduction(+ : x, y, z)
     for (std::size_t i = 0; i < count; ++i) {
-      const Vector3d& normal = neighbors_[i].normal;
-      // Either side is as likely: there is no branch for it.
-      const double side = std::copysign (1.0, (normal - mean).dot (axis));
-      side_[i] = static_cast<int> (side);
-      difference += side * normal;
+      const double side = std::copysign (
+          1.0, nx[i] * axis[0] + ny[i] * axis[1] + nz[i] * axis[2] - middle);
+      sides[i] = side;
+      x += side * nx[i];
+      y += side * ny[i];
+      z += side * nz[i];
     }
     // Of either part twice the sum.
-    const Vector3d sum = static_cast<double> (count) * mean;
-    planes[0].normal = sum + difference;
-    planes[1].normal = sum - difference;
+    const Vector3d difference (x, y, z);
+    planes[0].normal = normals.sum() + difference;
+    planes[1].normal = normals.sum() - difference;
     return true;
   }
 
@@ -320,9 +314,12 @@ private:
     constexpr double LEAST_PART = 0.18;
     constexpr std::size_t LEAST_COUNT = 5;
     for (int round = 0; round < ROUNDS; ++round) {
-      std::array<Scatter, 2> parts;
-      for (std::size_t i = 0; i < count; ++i)
-        parts[side_[i] > 0 ? 0 : 1].add (neighbors_[i].position);
+      Scatter differences;
+      differences.add (positions_, 0, count, [sides = side_.data()] (std::size_t i) {
+        return sides[i];
+      });
+      const std::array<Scatter, 2> parts{all_.part (differences, 1.0),
+                                         all_.part (differences, -1.0)};
       if (round == 0 &&
           parts[0].leastPlaneResidual() + parts[1].leastPlaneResidual() > largest)
         return false;
@@ -332,26 +329,65 @@ private:
         return false;
       const Vector3d apart = planes[0].center - planes[1].center;
       convex = apart.dot (planes[0].normal - planes[1].normal) > 0.0;
-      bool changed = false;
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vector3d& p = neighbors_[i].position;
-        const double above = planes[0].height (p) - planes[1].height (p);
-        // Of the solid's surface is the higher plane if it is convex. On the edge
-        // itself either is right, but flipped normals must not choose the other.
-        const double first = convex ? above : -above;
-        const int side = first > 0.0 ? 1 : first < 0.0 ? -1 : side_[i];
-        changed = changed || side != side_[i];
-        side_[i] = side;
-      }
-      if (!changed)
+      if (!takeSides (count, planes, convex))
         break;
     }
-    const auto first = static_cast<std::size_t> (std::count (
-        side_.begin(), side_.begin() + static_cast<std::ptrdiff_t> (count), 1));
+    const auto first =
+        static_cast<std::size_t> (std::count (side_.begin(), side_.end(), 1.0));
     const auto least =
         std::max (LEAST_COUNT,
                   static_cast<std::size_t> (LEAST_PART * static_cast<double> (count)));
     return std::min (first, count - first) >= least;
+  }
+
+  /** \brief Gives each neighbour to the plane whose side it is on; returns whether that
+   * changes any.
+   */
+  bool
+  takeSides (std::size_t count, const std::array<Plane, 2>& planes, bool convex)
+  {
+    // Of the solid's surface is the higher plane if it is convex. On the edge itself
+    // either is right, but flipped normals must not choose the other.
+    const double sign = convex ? 1.0 : -1.0;
+    const Vector3d slope = sign * (planes[0].normal - planes[1].normal);
+    const double offset = sign * (planes[0].offset() - planes[1].offset());
+    const double* x = positions_.x.data();
+    const double* y = positions_.y.data();
+    const double* z = positions_.z.data();
+    double* sides = side_.data();
+    double changes = 0.0;
+#pragma omp simd reduction(+ : changes)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double first = x[i] * slope[0] + y[i] * slope[1] + z[i] * slope[2] + offset;
+      const double side = first > 0.0 ? 1.0 : first < 0.0 ? -1.0 : sides[i];
+      changes += std::abs (side - sides[i]);
+      sides[i] = side;
+    }
+    return changes > 0.0;
+  }
+
+  /** \brief The sum of the squared distances from the planes. */
+  double
+  squaredHeights (std::size_t count, const std::array<Plane, 2>& planes) const
+  {
+    // Half the sum and half the difference of the heights over both.
+    const Vector3d mean = 0.5 * (planes[0].normal + planes[1].normal);
+    const Vector3d half = 0.5 * (planes[0].normal - planes[1].normal);
+    const double mean_offset = 0.5 * (planes[0].offset() + planes[1].offset());
+    const double half_offset = 0.5 * (planes[0].offset() - planes[1].offset());
+    const double* x = positions_.x.data();
+    const double* y = positions_.y.data();
+    const double* z = positions_.z.data();
+    const double* sides = side_.data();
+    double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double height =
+          x[i] * mean[0] + y[i] * mean[1] + z[i] * mean[2] + mean_offset +
+          sides[i] * (x[i] * half[0] + y[i] * half[1] + z[i] * half[2] + half_offset);
+      sum += height * height;
+    }
+    return sum;
   }
 
   /** \brief Mean squared distance of the window from a cubic height function, for its
@@ -360,11 +396,10 @@ private:
   double
   smoothResidual (std::size_t count, const Vector3d& normal) const
   {
-    smooth_.set (0,
-                 normal,
-                 neighbors_[count - 1].position.norm(),
-                 count,
-                 [this] (std::size_t i) { return neighbors_[i].position; });
+    smooth_.set (
+        0, normal, positions_[count - 1].norm(), count, [this] (std::size_t i) {
+          return positions_[i];
+        });
     smooth_.fit (static_cast<int> (count));
     return smooth_.meanSquare (0);
   }
@@ -373,13 +408,20 @@ private:
   const SurfaceGraph& graph_;
   CubicResiduals& smooth_;
   index_t sample_ = 0;
-  std::vector<Neighbor> neighbors_;
+  /** squared distances, and points */
+  std::vector<std::pair<double, index_t>> neighbors_;
+  Coordinates positions_;
+  Coordinates normals_;
+  /** of those in the window */
+  Scatter all_;
   /** of each neighbour in the window: 1 for the first plane, -1 for the second */
-  std::vector<int> side_;
+  std::vector<double> side_;
   /** of the sample: mean squared distance of its noise window from a cubic, and the
    * smallest ratio so far */
   double of_noise_window_ = 0.0;
   double smallest_ratio_ = 1.0;
+  /** of the noise window */
+  bool is_spread_ = false;
 };
 
 /** \brief Whether normals around a sample differ at all, or may do so across a gap in
