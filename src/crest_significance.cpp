@@ -20,9 +20,9 @@ constexpr double LEAST_CREST_PART = 0.25;
 /** Least mean prominence. */
 constexpr double LEAST_PROMINENCE = 0.25;
 /** Least mean relief, in spacings: smaller is what is left of noise where it differs
- * little from sample to sample, as that of registered or smoothed scans does. Less for
- * who asks for a smaller turn than this, which lower ripples have. */
+ * little from sample to sample, as that of registered or smoothed scans does. */
 constexpr double LEAST_RELIEF = 0.4;
+/** In degrees: who asks for a smaller turn than this asks for lower ripples, too. */
 constexpr double FULL_RELIEF_ANGLE = 25.0;
 constexpr double LARGEST_RELIEF = 10.0;
 /** Least mean turn of the relief, as a part of that of the crest: the same on surfaces
@@ -247,7 +247,9 @@ significantStart (const CrestEvidence& evidence,
   return longest;
 }
 
-/** \brief The first point and the end of what is significant of a branch. */
+/** \brief The first point and the end of what is significant of a branch. A loop has no
+ * ends to be weak.
+ */
 std::pair<std::size_t, std::size_t>
 significantPart (const CrestEvidence& evidence,
                  const std::vector<index_t>& branch,
@@ -255,6 +257,8 @@ significantPart (const CrestEvidence& evidence,
 {
   const std::size_t from_start =
       significantStart (evidence, branch.begin(), branch.end(), angle);
+  if (branch.front() == branch.back())
+    return {0, from_start == branch.size() ? from_start : 0};
   const std::size_t to_end =
       significantStart (evidence, branch.rbegin(), branch.rend(), angle);
   if (from_start >= to_end)
@@ -262,8 +266,8 @@ significantPart (const CrestEvidence& evidence,
   return {branch.size() - to_end, branch.size()};
 }
 
-/** \brief Whether a branch between junctions leaves one of them across its crest, and
- * is borne out by these alone: then it is a rung between two lines.
+/** \brief Whether a branch between junctions is a rung between two lines: its chord is
+ * across the crest at one of them, and they alone bear it out.
  */
 bool
 isRung (const OrientedPoints& points,
@@ -277,6 +281,7 @@ isRung (const OrientedPoints& points,
   const auto leavesAcross = [&] (index_t junction) {
     return std::abs (chord.dot (evidence.profiles[junction].curvature.t1)) > ACROSS;
   };
+  // Single edges are admissible ones.
   if (branch.size() == 2 ||
       !(leavesAcross (branch.front()) || leavesAcross (branch.back())))
     return false;

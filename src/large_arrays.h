@@ -2,7 +2,11 @@
 // Arrays of a number for each point, which are as large as clouds are.
 #pragma once
 
+#include <pcl_crest/star_offsets.h>
+
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -30,6 +34,17 @@ makeLarge (std::size_t size, const T& value)
   reserveLarge (array, size);
   array.resize (size, value);
   return array;
+}
+
+/** \brief Room for where the stars of some points begin, and the first beginning. */
+inline StarOffsets
+makeOffsets (std::size_t points)
+{
+  std::vector<std::uint32_t> memory;
+  reserveLarge (memory, points + 1);
+  StarOffsets offsets (std::move (memory));
+  offsets.push_back (0);
+  return offsets;
 }
 
 template <typename T>

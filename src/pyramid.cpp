@@ -166,8 +166,7 @@ coarserGraph (const SurfaceGraph& fine,
   forEachEdge ([&] (index_t a, index_t b) { repeated[ends[a]++] = b; });
 
   SurfaceGraph graph;
-  graph.offsets.assign (1, 0);
-  graph.offsets.reserve (size + 1);
+  graph.offsets = makeOffsets (size);
   auto first = repeated.begin();
   for (std::size_t a = 0; a < size; ++a) {
     const auto last = repeated.begin() + static_cast<std::ptrdiff_t> (ends[a]);
@@ -189,7 +188,7 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
   level.normals = copyLarge (points.normals);
   level.weights.assign (points.size(), 1.0F);
   level.graph = unconnected (graph);
-  level.graph.offsets = copyLarge (graph.offsets);
+  level.graph.offsets = graph.offsets;
   level.graph.neighbors = copyLarge (graph.neighbors);
   level.node_of.resize (points.size());
   std::iota (level.node_of.begin(), level.node_of.end(), 0);

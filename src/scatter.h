@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace pcl {
@@ -58,6 +59,7 @@ struct Coordinates {
 class Scatter {
 public:
   /** \brief Adds some of them.
+   * \param[in] first, last the places from and before which
    * \param[in] weight (i) that of each
    */
   template <typename Weight>
@@ -140,11 +142,11 @@ public:
   Eigen::Vector3d
   axes () const
   {
-    return axesOf (Invariants (products()), 0.0);
+    return Invariants (products()).roots();
   }
 
-  /** \brief The direction in which they differ most. \param[out] square the sum of
-   * squares along it
+  /** \brief The direction in which they differ most.
+   * \param[out] square the sum of squares along it
    */
   Eigen::Vector3d
   longestAxis (double& square) const
@@ -167,8 +169,8 @@ public:
     if (weight_ < LEAST_WEIGHT)
       return false;
     const Eigen::Matrix3d m = products();
-    const Eigen::Vector3d squares = axesOf (Invariants (m), 0.0);
-    if (!(squares[1] >= LEAST_WIDTH * squares[2]))
+    const Eigen::Vector3d squares = Invariants (m).roots();
+    if (!(squares[1] >= LEAST_WIDTH * squares[2]) || squares[2] == 0.0)
       return false;
     plane.center = center();
     plane.residual = squares[0];
@@ -193,7 +195,8 @@ private:
     {}
 
     /** \brief The eigenvalue next to a bound of all of them: from there, Newton's
-     * method on the characteristic polynomial never goes too far.
+     * method on the characteristic polynomial never goes too far. Where others are as
+     * good as equal it is slow, and stops within a thousandth of the trace.
      */
     double
     root (double bound) const
@@ -212,35 +215,39 @@ private:
       }
       return at;
     }
-  };
 
-  /** \param[in] bound of the eigenvalues from below */
-  static Eigen::Vector3d
-  axesOf (const Invariants& of, double bound)
-  {
-    const double least = std::max (0.0, of.root (bound));
-    const double middle = 0.5 * (of.trace - least);
-    const double product = of.minors - 2.0 * least * middle;
-    const double apart = std::sqrt (std::max (0.0, middle * middle - product));
-    return {least, middle - apart, middle + apart};
-  }
+    /** \brief All eigenvalues, of which none is negative, ascending. */
+    Eigen::Vector3d
+    roots () const
+    {
+      // On a row there is nothing to divide by but rounding.
+      constexpr double ROUNDING = 1e-12;
+      if (!(minors > ROUNDING * trace * trace))
+        return {0.0, 0.0, trace};
+      const double least = std::max (0.0, root (0.0));
+      const double middle = 0.5 * (trace - least);
+      const double product = minors - 2.0 * least * middle;
+      const double apart = std::sqrt (std::max (0.0, middle * middle - product));
+      return {least, middle - apart, middle + apart};
+    }
+  };
 
   /** \param[in] value, place the eigenvalue, and its place among the three */
   static Eigen::Vector3d
   eigenvector (const Eigen::Matrix3d& m, double value, int place)
   {
     const Eigen::Matrix3d a = m - value * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d products[] = {a.row (0).cross (a.row (1)),
-                                        a.row (0).cross (a.row (2)),
-                                        a.row (1).cross (a.row (2))};
+    const Eigen::Vector3d across[] = {a.row (0).cross (a.row (1)),
+                                      a.row (0).cross (a.row (2)),
+                                      a.row (1).cross (a.row (2))};
     const Eigen::Vector3d* longest = std::max_element (
-        std::begin (products), std::end (products), [] (const auto& p, const auto& q) {
+        std::begin (across), std::end (across), [] (const auto& p, const auto& q) {
           return p.squaredNorm() < q.squaredNorm();
         });
-    // Where another eigenvalue is as good as equal all products are rounding.
-    constexpr double ROUNDING = 1e-9;
+    // Where another eigenvalue is nearly equal, root has stopped too early for this.
+    constexpr double CLEAR = 1e-5;
     const double trace = m.trace();
-    if (longest->norm() > ROUNDING * trace * trace)
+    if (longest->norm() > CLEAR * trace * trace)
       return longest->normalized();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect (m);

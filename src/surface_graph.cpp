@@ -229,12 +229,14 @@ symmetrize (DirectedStars& stars, const Workers& workers, SurfaceGraph& graph)
     for (const index_t q : stars.star (p))
       incoming[q] += *one_way++;
   }
-  graph.offsets = makeLarge<std::size_t> (stars.size() + 1, 0);
-  for (index_t p = 0; p < size; ++p)
-    graph.offsets[p + 1] = graph.offsets[p] + stars.star (p).size() +
-                           static_cast<std::size_t> (incoming[p]);
+  graph.offsets = makeOffsets (stars.size());
+  std::size_t ends = 0;
+  for (index_t p = 0; p < size; ++p) {
+    ends += stars.star (p).size() + static_cast<std::size_t> (incoming[p]);
+    graph.offsets.push_back (ends);
+  }
 
-  graph.neighbors = makeLarge<index_t> (graph.offsets.back(), 0);
+  graph.neighbors = makeLarge<index_t> (ends, 0);
   for (index_t p = 0; p < size; ++p) {
     const std::uint8_t* one_way = stars.oneWay (p);
     for (const index_t q : stars.star (p))
@@ -315,9 +317,8 @@ SurfaceGraph
 withoutPoints (const SurfaceGraph& graph, const std::vector<std::uint8_t>& removed)
 {
   SurfaceGraph rest = unconnected (graph);
-  reserveLarge (rest.offsets, graph.offsets.size());
+  rest.offsets = makeOffsets (graph.size());
   reserveLarge (rest.neighbors, graph.neighbors.size());
-  rest.offsets.push_back (0);
   for (index_t p = 0; p < static_cast<index_t> (graph.size()); ++p) {
     if (removed[p] == 0)
       for (const index_t q : graph.star (p))

@@ -643,7 +643,10 @@ TEST (Feature, AllPointsInvalidIsNoMistake)
   estimation.setInputCloud (cloud);
   Labels labels;
   pcl::PolygonMesh lines;
+  testing::internal::CaptureStderr();
   estimation.compute (labels, lines);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE (said.find ("estimate normals first"), std::string::npos) << said;
   EXPECT_EQ (codes (labels), std::vector<std::uint32_t> (10, LABEL_INVALID));
   EXPECT_TRUE (lines.polygons.empty());
 }

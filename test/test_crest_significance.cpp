@@ -7,6 +7,9 @@
 #include "support/stage_inputs.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 using namespace pcl::crest;
 
@@ -23,7 +26,8 @@ struct Branch {
   std::vector<float> prominence;
   std::vector<CrestEdge> edges;
 
-  Branch (int strong, int weak)
+  /** \param[in] weak_first whether the others come first */
+  Branch (int strong, int weak, bool weak_first = false)
   {
     // 41 degrees and, where fully prominent, a relief of 1 / (k1 q) = .48 spacings.
     CrestProfile profile;
@@ -46,23 +50,27 @@ struct Branch {
     crest_points.assign (size, CrestType::RIDGE);
     prominence.assign (size, 1.0F);
     std::fill (prominence.begin() + strong, prominence.end(), 0.0F);
+    if (weak_first)
+      std::reverse (prominence.begin(), prominence.end());
   }
 
-  /** \brief The number of edges that remain. */
-  [[nodiscard]] std::size_t
-  significantEdges () const
+  /** \brief The edges that remain. */
+  [[nodiscard]] std::vector<CrestEdge>
+  significantEdges (double angle = 25.0) const
   {
     const CrestEvidence evidence{graph, profiles, crest_points, prominence};
     const std::vector<float> limits (points.size(), 5.0F);
-    return significantBranches (points, evidence, edges, limits, 25.0).size();
+    return significantBranches (points, evidence, edges, limits, angle);
   }
 
-  /** \brief The points of what remains, or 0. */
-  [[nodiscard]] std::size_t
-  significantPoints () const
+  /** \brief The points of what remains, ascending. */
+  [[nodiscard]] std::set<index_t>
+  significantPoints (double angle = 25.0) const
   {
-    const std::size_t kept = significantEdges();
-    return kept == 0 ? 0 : kept + 1;
+    std::set<index_t> left;
+    for (const CrestEdge& edge : significantEdges (angle))
+      left.insert ({edge.a, edge.b});
+    return left;
   }
 };
 
@@ -70,28 +78,53 @@ struct Branch {
 
 TEST (SignificantBranches, StayWhereAllPointsBearThemOut)
 {
-  EXPECT_EQ (Branch (40, 0).significantPoints(), 40U);
+  EXPECT_EQ (Branch (40, 0).significantPoints().size(), 40U);
 }
 
 TEST (SignificantBranches, GoWhereNoneDo)
 {
-  EXPECT_EQ (Branch (0, 40).significantPoints(), 0U);
+  EXPECT_TRUE (Branch (0, 40).significantPoints().empty());
 }
 
 // A twig that is pruned joins a line to what goes on beyond: that must not take the
-// line with it. Relief: .48 * 40 / 44 = .433 does not fail, but .48 * 40 / 50 = .38
-// does.
+// line with it. Mean relief: .476 * 40 / 44 = .433 is enough, .476 * 40 / 50 = .381 is
+// not, and .476 * 40 / .4 = 47.6 points are the most that have enough.
 TEST (SignificantBranches, LoseAWeakEndAlone)
 {
-  EXPECT_EQ (Branch (40, 4).significantPoints(), 44U);
-  const std::size_t left = Branch (40, 10).significantPoints();
-  EXPECT_GE (left, 40U);
-  EXPECT_LT (left, 50U);
+  EXPECT_EQ (Branch (40, 4).significantPoints().size(), 44U);
+  const std::set<index_t> without_end = Branch (40, 10).significantPoints();
+  EXPECT_EQ (without_end.size(), 47U);
+  EXPECT_EQ (*without_end.begin(), 0);
+  const std::set<index_t> without_start = Branch (40, 10, true).significantPoints();
+  EXPECT_EQ (without_start.size(), 47U);
+  EXPECT_EQ (*without_start.begin(), 3);
+}
+
+// Where a loop begins means nothing: it stays or goes as a whole.
+TEST (SignificantBranches, AreLoopsAsAWhole)
+{
+  for (const bool weak_first : {false, true}) {
+    Branch loop (40, 10, weak_first);
+    loop.edges.push_back ({0, 49, EdgeType::A, 1.0});
+    EXPECT_TRUE (loop.significantPoints().empty());
+  }
+  Branch loop (40, 4);
+  loop.edges.push_back ({0, 43, EdgeType::A, 1.0});
+  EXPECT_EQ (loop.significantEdges().size(), 44U);
+}
+
+// A relief of .6 * .6 * .476 = .17, and a turn of 41 degrees * .6^1.5 = 19.
+TEST (SignificantBranches, MayBeLowerForASmallerAngle)
+{
+  Branch ripple (40, 0);
+  std::fill (ripple.prominence.begin(), ripple.prominence.end(), 0.6F);
+  EXPECT_TRUE (ripple.significantPoints (20.0).empty());
+  EXPECT_EQ (ripple.significantPoints (10.0).size(), 40U);
 }
 
 TEST (SignificantBranches, GoWhereMuchIsWeak)
 {
-  EXPECT_EQ (Branch (20, 20).significantPoints(), 0U);
+  EXPECT_TRUE (Branch (20, 20).significantPoints().empty());
 }
 
 // Two crests along y and points between them that are grown.
@@ -118,7 +151,7 @@ TEST (SignificantBranches, AreNoRungs)
     for (int i = 1; i < 20; ++i)
       for (const int first : {0, 20})
         chain.edges.push_back ({first + i - 1, first + i, EdgeType::A, 1.0});
-    return chain.significantEdges();
+    return chain.significantEdges().size();
   };
   EXPECT_EQ (bridge (Eigen::Vector3f::UnitX()), 38U);
   EXPECT_EQ (bridge (Eigen::Vector3f::UnitY()), 41U);

@@ -417,3 +417,22 @@ TEST (SurfaceGraph, EmptyQuadrantIsSeenWhereverItBegins)
   EXPECT_EQ (boundary ({0, 45, 90, 135, 180, 225, 270}), 0);
   EXPECT_EQ (boundary ({0, 45, 90, 135, 180, 225}), 1);
 }
+
+// More edges than 32 bits count, without the edges.
+TEST (StarOffsets, AreThoseEnteredBeyond32Bits)
+{
+  const std::vector<std::size_t> entered{0,
+                                         7,
+                                         0xFFFFFFFF,
+                                         0x100000000,
+                                         0x100000000,
+                                         0x1FFFFFFFF,
+                                         0x280000000,
+                                         0x300000005};
+  StarOffsets offsets;
+  for (const std::size_t offset : entered)
+    offsets.push_back (offset);
+  ASSERT_EQ (offsets.size(), entered.size());
+  for (std::size_t i = 0; i < entered.size(); ++i)
+    EXPECT_EQ (offsets[i], entered[i]);
+}

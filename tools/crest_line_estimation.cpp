@@ -205,7 +205,7 @@ main (int argc, char** argv)
                    "write principal curvatures and directions",
                    files.curvatures);
   options.addFlag ("-quiet", "print errors only, and no progress on a terminal", quiet);
-  options.addFlag ("-h", "show this and do nothing else", help);
+  options.addFlag ("-h", "show this and do nothing else; so does --help", help);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"

@@ -164,7 +164,7 @@ main (int argc, char** argv)
                  return takeView (value, request.window.camera);
                });
   addViewOptions (options, request.window.view);
-  options.addFlag ("-h", "show this and do nothing else", help);
+  options.addFlag ("-h", "show this and do nothing else; so does --help", help);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"

@@ -39,7 +39,8 @@ namespace pcl {
  * because the points behind its pointer may have changed.
  *
  * Mistakes are reported with PCL_ERROR and leave all outputs empty. A cloud without
- * any usable point is no mistake: its labels are all crest::LABEL_INVALID.
+ * any usable point is no mistake: its labels are all crest::LABEL_INVALID, and PCL_WARN
+ * says so.
  *
  * Compiled into the library for pcl::Label and PointNormal, PointXYZINormal,
  * PointXYZRGBNormal, PointXYZLNormal and PointSurfel; for other types include

@@ -36,7 +36,7 @@ gatherEvidence (const OrientedPoints& points,
  * \param[in] evidence of the same points
  * \param[in] edges of one type
  * \param[in] limits for each point the greatest length of a branch to prune again
- * \param[in] angle in degrees; below the default, lower ripples count, too
+ * \param[in] angle in degrees; below 25, lower ripples count, too
  */
 std::vector<CrestEdge>
 significantBranches (const OrientedPoints& points,

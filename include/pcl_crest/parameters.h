@@ -95,7 +95,8 @@ struct Parameters {
    * without unit (Yoshizawa et al. 2005). */
   double min_strength = 0.0;
 
-  /** How far the surface at least turns across a line, on its average, in degrees. */
+  /** How far the surface at least turns across a line, on its average, in degrees.
+   * Below 25, lines may be lower, too (crest_significance.h). */
   double angle = 25.0;
 
   /** Least length of a line, in spacings of the samples along it. */

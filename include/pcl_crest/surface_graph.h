@@ -4,6 +4,7 @@
 
 #include <pcl_crest/neighbor_search.h>
 #include <pcl_crest/progress.h>
+#include <pcl_crest/star_offsets.h>
 
 #include <memory>
 
@@ -36,7 +37,7 @@ struct Star {
  * of point i is neighbors[offsets[i]] ... neighbors[offsets[i + 1] - 1], ascending.
  */
 struct SurfaceGraph {
-  std::vector<std::size_t> offsets;
+  StarOffsets offsets;
   std::vector<index_t> neighbors;
   /** 1 where an empty quadrant tells that the surface ends (4.1), else 0 */
   std::vector<std::uint8_t> boundary;
@@ -49,7 +50,7 @@ struct SurfaceGraph {
   std::size_t
   size () const
   {
-    return offsets.empty() ? 0 : offsets.size() - 1;
+    return offsets.size() == 0 ? 0 : offsets.size() - 1;
   }
   Star
   star (index_t point) const

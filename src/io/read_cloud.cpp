@@ -118,7 +118,7 @@ describe (const Orientation& orientation, std::size_t k)
       note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + side;
   };
   add (orientation.outward, " closed: outward.");
-  add (orientation.toward_viewpoint, " open: toward the viewpoint.");
+  add (orientation.toward_viewpoint, " open: mostly toward the viewpoint.");
   add (orientation.upward, " open: upward (+z).");
   return note;
 }

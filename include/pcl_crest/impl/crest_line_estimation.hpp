@@ -186,6 +186,10 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   else
     points = own_points = std::make_shared<crest::OrientedPoints> (
         crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
+  if (points->size() == 0 && !surface_->empty())
+    PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal: "
+              "estimate normals first, as pcl::NormalEstimation does.\n",
+              getClassName().c_str());
   pcl::Indices located;
   if (!isInputSurface() && !locateInput (*points, located))
     return false;
