@@ -266,15 +266,20 @@ significantPart (const CrestEvidence& evidence,
   return {branch.size() - to_end, branch.size()};
 }
 
-/** \brief Whether a branch between junctions is a rung between two lines: its chord is
- * across the crest at one of them, and they alone bear it out.
+/** \brief Whether a branch between junctions is a rung between two lines: as short as
+ * what is pruned, its chord across the crest at one of them, and borne out by them
+ * alone.
  */
 bool
 isRung (const OrientedPoints& points,
         const CrestEvidence& evidence,
         const std::vector<index_t>& branch,
+        const std::vector<float>& limits,
         double angle)
 {
+  if (polylineLength (points, branch) >
+      std::max (limits[branch.front()], limits[branch.back()]))
+    return false;
   constexpr float ACROSS = 0.7F;
   const Eigen::Vector3f chord =
       points.edge (branch.front(), branch.back()).normalized().cast<float>();
@@ -387,7 +392,7 @@ significantBranches (const OrientedPoints& points,
         const std::vector<index_t> on_branch = graph.packed (branch);
         const bool bridge =
             graph.degree (branch.front()) > 2 && graph.degree (branch.back()) > 2;
-        const bool rung = bridge && isRung (points, evidence, on_branch, angle);
+        const bool rung = bridge && isRung (points, evidence, on_branch, limits, angle);
         const auto [first, end] = significantPart (evidence, on_branch, angle);
         for (std::size_t i = 1; i < branch.size(); ++i)
           if (rung || i <= first || i >= end)

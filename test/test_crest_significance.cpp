@@ -54,12 +54,14 @@ struct Branch {
       std::reverse (prominence.begin(), prominence.end());
   }
 
-  /** \brief The edges that remain. */
+  /** \brief The edges that remain.
+   * \param[in] limit the greatest length of a branch to prune
+   */
   [[nodiscard]] std::vector<CrestEdge>
-  significantEdges (double angle = 25.0) const
+  significantEdges (double angle = 25.0, float limit = 5.0F) const
   {
     const CrestEvidence evidence{graph, profiles, crest_points, prominence};
-    const std::vector<float> limits (points.size(), 5.0F);
+    const std::vector<float> limits (points.size(), limit);
     return significantBranches (points, evidence, edges, limits, angle);
   }
 
@@ -130,7 +132,7 @@ TEST (SignificantBranches, GoWhereMuchIsWeak)
 // Two crests along y and points between them that are grown.
 TEST (SignificantBranches, AreNoRungs)
 {
-  const auto bridge = [] (const Eigen::Vector3f& across) {
+  const auto bridge = [] (const Eigen::Vector3f& across, float limit) {
     std::vector<Eigen::Vector3f> positions;
     const auto line = [&] (float x) {
       for (int i = 0; i < 20; ++i)
@@ -151,8 +153,10 @@ TEST (SignificantBranches, AreNoRungs)
     for (int i = 1; i < 20; ++i)
       for (const int first : {0, 20})
         chain.edges.push_back ({first + i - 1, first + i, EdgeType::A, 1.0});
-    return chain.significantEdges().size();
+    return chain.significantEdges (25.0, limit).size();
   };
-  EXPECT_EQ (bridge (Eigen::Vector3f::UnitX()), 38U);
-  EXPECT_EQ (bridge (Eigen::Vector3f::UnitY()), 41U);
+  EXPECT_EQ (bridge (Eigen::Vector3f::UnitX(), 5.0F), 38U);
+  EXPECT_EQ (bridge (Eigen::Vector3f::UnitY(), 5.0F), 41U);
+  // Three units long.
+  EXPECT_EQ (bridge (Eigen::Vector3f::UnitX(), 2.0F), 41U);
 }
