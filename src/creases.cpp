@@ -126,7 +126,7 @@ public:
       added = count;
       if (count == NOISE_WINDOW) {
         of_noise_window_ = smooth[w];
-        is_spread_ = isSpread (all_);
+        in_noise_window_ = all_;
       }
       // In the frame of the edge it will be a little different. No faces leave less
       // than what is noise for certain.
@@ -224,7 +224,7 @@ private:
     best.angle = static_cast<float> (angle);
     best.ratio = static_cast<float> (ratio);
     best.roundness =
-        count > NOISE_WINDOW && is_spread_
+        count > NOISE_WINDOW && isSpread (in_noise_window_)
             ? static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE))
             : 0.0F;
   }
@@ -420,8 +420,8 @@ private:
    * smallest ratio so far */
   double of_noise_window_ = 0.0;
   double smallest_ratio_ = 1.0;
-  /** of the noise window */
-  bool is_spread_ = false;
+  /** positions, as far as there are as many */
+  Scatter in_noise_window_;
 };
 
 /** \brief Whether normals around a sample differ at all, or may do so across a gap in

@@ -257,8 +257,10 @@ significantPart (const CrestEvidence& evidence,
 {
   const std::size_t from_start =
       significantStart (evidence, branch.begin(), branch.end(), angle);
+  if (from_start == branch.size())
+    return {0, from_start};
   if (branch.front() == branch.back())
-    return {0, from_start == branch.size() ? from_start : 0};
+    return {0, 0};
   const std::size_t to_end =
       significantStart (evidence, branch.rbegin(), branch.rend(), angle);
   if (from_start >= to_end)
@@ -393,9 +395,10 @@ significantBranches (const OrientedPoints& points,
         const bool bridge =
             graph.degree (branch.front()) > 2 && graph.degree (branch.back()) > 2;
         const bool rung = bridge && isRung (points, evidence, on_branch, limits, angle);
-        const auto [first, end] = significantPart (evidence, on_branch, angle);
+        const auto [first, end] = rung ? std::pair<std::size_t, std::size_t> (0, 0)
+                                       : significantPart (evidence, on_branch, angle);
         for (std::size_t i = 1; i < branch.size(); ++i)
-          if (rung || i <= first || i >= end)
+          if (i <= first || i >= end)
             removed.emplace_back (branch[i - 1], branch[i]);
       }
     }

@@ -18,7 +18,7 @@ struct Plane {
   /** sum of the squared distances of the samples that it was fitted to */
   double residual = 0.0;
 
-  /** \brief Where the height of the origin is. */
+  /** \brief The height of the origin over it. */
   double
   offset () const
   {
