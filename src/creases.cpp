@@ -4,7 +4,7 @@
 #include "cubic_residuals.h"
 #include "large_arrays.h"
 #include "parallel.h"
-#include "scatter.h"
+#include "two_planes.h"
 
 #include <algorithm>
 #include <array>
@@ -176,32 +176,30 @@ private:
   void
   fitWindow (std::size_t count, double of_cubic, const Scatter& normals, Crease& best)
   {
-    std::array<Plane, 2> planes;
-    bool convex = true;
     // The planes of the first round are not the best ones yet.
     constexpr double FIRST_ROUND = 6.0;
     const double largest = FIRST_ROUND * largestResidual (count, of_cubic) *
                            static_cast<double> (count - PLANE_PARAMETERS);
-    if (!splitByNormals (count, normals, planes) ||
-        !fitPlanes (count, largest, planes, convex))
+    if (!planes_.split (normals_, count, normals) ||
+        !planes_.fit (positions_, count, all_, largest))
       return;
-    const Vector3d& n = planes[0].normal;
-    const Vector3d& m = planes[1].normal;
+    const Vector3d& n = planes_[0].normal;
+    const Vector3d& m = planes_[1].normal;
     const double angle =
         std::acos (std::max (-1.0, std::min (1.0, n.dot (m)))) * DEGREES;
     if (angle < LEAST_ANGLE || angle > LARGEST_ANGLE)
       return;
     // Where both planes' equations hold, nearest to the sample.
     const Vector3d line = n.cross (m);
-    const Vector3d crossing = (n.dot (planes[0].center) * m.cross (line) +
-                               m.dot (planes[1].center) * line.cross (n)) /
+    const Vector3d crossing = (n.dot (planes_[0].center) * m.cross (line) +
+                               m.dot (planes_[1].center) * line.cross (n)) /
                               line.squaredNorm();
     const Vector3d direction = line.normalized();
     const Vector3d foot = crossing - crossing.dot (direction) * direction;
     if (foot.norm() > FARTHEST_FOOT)
       return;
-    const double of_planes =
-        squaredHeights (count, planes) / static_cast<double> (count - PLANE_PARAMETERS);
+    const double of_planes = planes_.squaredDistances (positions_, count) /
+                             static_cast<double> (count - PLANE_PARAMETERS);
     if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
       return;
     const Vector3d normal = (n + m).normalized();
@@ -215,7 +213,7 @@ private:
     const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
                          (std::max (0.0, of_smooth - noise) + ZERO);
     smallest_ratio_ = noisy_ratio;
-    best.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
+    best.type = planes_.convex() ? CrestType::RIDGE : CrestType::VALLEY;
     best.foot =
         (points_.positions[sample_].cast<double>() + graph_.spacing[sample_] * foot)
             .cast<float>();
@@ -256,140 +254,6 @@ private:
     return static_cast<double> (strays) > STRAY_PART * static_cast<double> (count);
   }
 
-  /** \brief Divides the neighbours across the axis along which normals differ most, and
-   * sets each plane's normal to the mean of its part. Returns false if they hardly
-   * differ.
-   */
-  bool
-  splitByNormals (std::size_t count,
-                  const Scatter& normals,
-                  std::array<Plane, 2>& planes)
-  {
-    // Variance: that of normals two degrees to each side.
-    constexpr double LEAST_VARIANCE = 1e-3;
-    const Vector3d mean = normals.center();
-    // The sum of the variances along all axes.
-    if (1.0 - mean.squaredNorm() < LEAST_VARIANCE)
-      return false;
-    double variance = 0.0;
-    const Vector3d axis = normals.longestAxis (variance);
-    if (variance < LEAST_VARIANCE * static_cast<double> (count))
-      return false;
-    side_.resize (count);
-    const double* nx = normals_.x.data();
-    const double* ny = normals_.y.data();
-    const double* nz = normals_.z.data();
-    double* sides = side_.data();
-    const double middle = mean.dot (axis);
-    double x = 0.0;
-    double y = 0.0;
-    double z = 0.0;
-#pragma omp simd reduction(+ : x, y, z)
-    for (std::size_t i = 0; i < count; ++i) {
-      const double side = std::copysign (
-          1.0, nx[i] * axis[0] + ny[i] * axis[1] + nz[i] * axis[2] - middle);
-      sides[i] = side;
-      x += side * nx[i];
-      y += side * ny[i];
-      z += side * nz[i];
-    }
-    // Of either part twice the sum.
-    const Vector3d difference (x, y, z);
-    planes[0].normal = normals.sum() + difference;
-    planes[1].normal = normals.sum() - difference;
-    return true;
-  }
-
-  /** \brief Fits the two planes to their parts and the parts to the planes, in turn.
-   * Returns false if a part is too small, or no plane.
-   * \param[in] largest residual of both to go on with after the first round
-   */
-  bool
-  fitPlanes (std::size_t count,
-             double largest,
-             std::array<Plane, 2>& planes,
-             bool& convex)
-  {
-    constexpr int ROUNDS = 8;
-    constexpr double LEAST_PART = 0.18;
-    constexpr std::size_t LEAST_COUNT = 5;
-    for (int round = 0; round < ROUNDS; ++round) {
-      Scatter differences;
-      differences.add (positions_, 0, count, [sides = side_.data()] (std::size_t i) {
-        return sides[i];
-      });
-      const std::array<Scatter, 2> parts{all_.part (differences, 1.0),
-                                         all_.part (differences, -1.0)};
-      if (round == 0 &&
-          parts[0].leastPlaneResidual() + parts[1].leastPlaneResidual() > largest)
-        return false;
-      if (!parts[0].fitPlane (planes[0]) || !parts[1].fitPlane (planes[1]))
-        return false;
-      if (round == 0 && planes[0].residual + planes[1].residual > largest)
-        return false;
-      const Vector3d apart = planes[0].center - planes[1].center;
-      convex = apart.dot (planes[0].normal - planes[1].normal) > 0.0;
-      if (!takeSides (count, planes, convex))
-        break;
-    }
-    const auto first =
-        static_cast<std::size_t> (std::count (side_.begin(), side_.end(), 1.0));
-    const auto least =
-        std::max (LEAST_COUNT,
-                  static_cast<std::size_t> (LEAST_PART * static_cast<double> (count)));
-    return std::min (first, count - first) >= least;
-  }
-
-  /** \brief Gives each neighbour to the plane whose side it is on; returns whether that
-   * changes any.
-   */
-  bool
-  takeSides (std::size_t count, const std::array<Plane, 2>& planes, bool convex)
-  {
-    // Of the solid's surface is the higher plane if it is convex. On the edge itself
-    // either is right, but flipped normals must not choose the other.
-    const double sign = convex ? 1.0 : -1.0;
-    const Vector3d slope = sign * (planes[0].normal - planes[1].normal);
-    const double offset = sign * (planes[0].offset() - planes[1].offset());
-    const double* x = positions_.x.data();
-    const double* y = positions_.y.data();
-    const double* z = positions_.z.data();
-    double* sides = side_.data();
-    double changes = 0.0;
-#pragma omp simd reduction(+ : changes)
-    for (std::size_t i = 0; i < count; ++i) {
-      const double first = x[i] * slope[0] + y[i] * slope[1] + z[i] * slope[2] + offset;
-      const double side = first > 0.0 ? 1.0 : first < 0.0 ? -1.0 : sides[i];
-      changes += std::abs (side - sides[i]);
-      sides[i] = side;
-    }
-    return changes > 0.0;
-  }
-
-  /** \brief The sum of the squared distances from the planes. */
-  double
-  squaredHeights (std::size_t count, const std::array<Plane, 2>& planes) const
-  {
-    // Half the sum and half the difference of the heights over both.
-    const Vector3d mean = 0.5 * (planes[0].normal + planes[1].normal);
-    const Vector3d half = 0.5 * (planes[0].normal - planes[1].normal);
-    const double mean_offset = 0.5 * (planes[0].offset() + planes[1].offset());
-    const double half_offset = 0.5 * (planes[0].offset() - planes[1].offset());
-    const double* x = positions_.x.data();
-    const double* y = positions_.y.data();
-    const double* z = positions_.z.data();
-    const double* sides = side_.data();
-    double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t i = 0; i < count; ++i) {
-      const double height =
-          x[i] * mean[0] + y[i] * mean[1] + z[i] * mean[2] + mean_offset +
-          sides[i] * (x[i] * half[0] + y[i] * half[1] + z[i] * half[2] + half_offset);
-      sum += height * height;
-    }
-    return sum;
-  }
-
   /** \brief Mean squared distance of the window from a cubic height function, for its
    * degrees of freedom.
    */
@@ -414,8 +278,7 @@ private:
   Coordinates normals_;
   /** of those in the window */
   Scatter all_;
-  /** of each neighbour in the window: 1 for the first plane, -1 for the second */
-  std::vector<double> side_;
+  TwoPlanes planes_;
   /** of the sample: mean squared distance of its noise window from a cubic, and the
    * smallest ratio so far */
   double of_noise_window_ = 0.0;

@@ -3,6 +3,7 @@
 #include <pcl_crest/crest_extraction.h>
 #include <pcl_crest/crest_feet.h>
 #include <pcl_crest/crest_loops.h>
+#include <pcl_crest/crest_prominence.h>
 #include <pcl_crest/crest_significance.h>
 #include <pcl_crest/line_measures.h>
 #include <pcl_crest/line_smoothing.h>
@@ -288,8 +289,11 @@ traceCrests (const OrientedPoints& points,
         crests);
     return crests;
   }
-  const CrestEvidence evidence =
-      gatherEvidence (points, shape.graph, shape.profiles, crests.points, workers);
+  const CrestEvidence evidence{
+      shape.graph,
+      shape.profiles,
+      crests.points,
+      measureProminence (points, shape.graph, shape.profiles, crests.points, workers)};
   const std::vector<CrestType> likely_points = withoutSharp (
       shape.sharp_lines,
       likelyCrestPoints (shape.graph, shape.profiles, parameters.confidence));

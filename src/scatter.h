@@ -13,8 +13,8 @@ namespace pcl {
 namespace crest {
 
 struct Plane {
-  Eigen::Vector3d center;
-  Eigen::Vector3d normal;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /** sum of the squared distances of the samples that it was fitted to */
   double residual = 0.0;
 

@@ -12,19 +12,9 @@ struct CrestEvidence {
   const SurfaceGraph& graph;
   const std::vector<CrestProfile>& profiles;
   const std::vector<CrestType>& crest_points;
-  /** for each crest point how far |k1| falls until it rises again, as a part of it: of
-   * the two sides the smaller part, unless data end on one; 1 for those of the coarsest
-   * level, but 0 where data end beside their fits; 0 for those of any fit over more
-   * than a radian that data end beside */
+  /** see measureProminence */
   std::vector<float> prominence;
 };
-
-CrestEvidence
-gatherEvidence (const OrientedPoints& points,
-                const SurfaceGraph& graph,
-                const std::vector<CrestProfile>& profiles,
-                const std::vector<CrestType>& crest_points,
-                const Workers& workers);
 
 /** \brief Removes the branches whose points do not bear them out: few of them are crest
  * points, or the surface turns across them by less than `angle` degrees, or they are
