@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/creases.h>
+#include <pcl_crest/pyramid.h>
 
 #include "cubic_residuals.h"
 #include "large_arrays.h"
@@ -347,6 +348,57 @@ private:
   std::vector<CreaseFitter> fitters_;
 };
 
+/** \brief Tests samples, and enters their creases. */
+void
+testSamples (const OrientedPoints& points,
+             const SurfaceGraph& graph,
+             const NeighborSearch& search,
+             const std::vector<index_t>& samples,
+             const Workers& workers,
+             std::vector<Crease>& creases)
+{
+  forEachBlock (
+      samples.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
+        CreaseFinder finder (points, graph, creases);
+        std::vector<index_t> found;
+        for (std::size_t i = first; i < last; ++i) {
+          if (!isWorthATry (points, graph, samples[i]))
+            continue;
+          search (samples[i], found);
+          finder.add (samples[i], found);
+        }
+        finder.finish();
+      });
+}
+
+/** \brief The samples within two rings of those that have a crease, but for what is
+ * tested already, ascending.
+ * \param[in] samples to look around
+ * \param[in,out] tested gets 1 for what is returned
+ */
+std::vector<index_t>
+aroundCreases (const SurfaceGraph& graph,
+               const std::vector<index_t>& samples,
+               const std::vector<Crease>& creases,
+               std::vector<std::uint8_t>& tested)
+{
+  std::vector<index_t> around;
+  const auto add = [&] (index_t sample) {
+    if (tested[sample] == 0)
+      around.push_back (sample);
+    tested[sample] = 1;
+  };
+  for (const index_t sample : samples)
+    if (creases[sample].type != CrestType::NONE)
+      for (const index_t q : graph.star (sample)) {
+        add (q);
+        for (const index_t r : graph.star (q))
+          add (r);
+      }
+  std::sort (around.begin(), around.end());
+  return around;
+}
+
 } // namespace
 
 std::vector<Crease>
@@ -355,20 +407,23 @@ findCreases (const OrientedPoints& points,
              const NeighborSearch& search,
              const Workers& workers)
 {
+  // As many as suffice for the longest edges between centres that see it, wherever the
+  // cloud is cut to tiles.
+  constexpr int ROUNDS = 8;
   std::vector<Crease> creases = makeLarge (points.size(), Crease());
-  forEachBlock (
-      points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CreaseFinder finder (points, graph, creases);
-        std::vector<index_t> found;
-        for (std::size_t i = first; i < last; ++i) {
-          const auto sample = static_cast<index_t> (i);
-          if (!isWorthATry (points, graph, sample))
-            continue;
-          search (sample, found);
-          finder.add (sample, found);
-        }
-        finder.finish();
-      });
+  std::vector<std::uint8_t> tested =
+      chooseCentres (points.positions, points.normals, graph, workers);
+  std::vector<index_t> samples;
+  for (std::size_t i = 0; i < tested.size(); ++i)
+    if (tested[i] != 0)
+      samples.push_back (static_cast<index_t> (i));
+  for (int round = 0; round < ROUNDS && !samples.empty(); ++round) {
+    // The centres are about half of the work.
+    if (workers.progress != nullptr)
+      workers.progress->beginPart (std::min (round, 1), 2);
+    testSamples (points, graph, search, samples, workers, creases);
+    samples = aroundCreases (graph, samples, creases, tested);
+  }
   return creases;
 }
 

@@ -37,13 +37,15 @@ hash (std::uint32_t x)
 
 /** \brief How lopsided the star of a node is, then a hash: smaller comes first. */
 std::uint64_t
-priority (const PyramidLevel& level, index_t node)
+priority (const std::vector<Eigen::Vector3f>& positions,
+          const SurfaceGraph& graph,
+          index_t node)
 {
-  const Eigen::Vector3d p = level.positions[node].cast<double>();
+  const Eigen::Vector3d p = positions[node].cast<double>();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double lengths = 0.0;
-  for (const index_t q : level.graph.star (node)) {
-    const Eigen::Vector3d e = level.positions[q].cast<double>() - p;
+  for (const index_t q : graph.star (node)) {
+    const Eigen::Vector3d e = positions[q].cast<double>() - p;
     sum += e;
     lengths += e.norm();
   }
@@ -55,65 +57,21 @@ priority (const PyramidLevel& level, index_t node)
 }
 
 bool
-mayMerge (const PyramidLevel& level, index_t a, index_t b)
+mayMerge (const std::vector<Eigen::Vector3f>& normals, index_t a, index_t b)
 {
-  return level.normals[a].dot (level.normals[b]) > MERGE_COSINE;
-}
-
-enum class Role : std::uint8_t { FREE, CENTRE, COVERED };
-
-std::vector<Role>
-chooseCentres (const PyramidLevel& fine, const Workers& workers)
-{
-  const std::size_t size = fine.size();
-  std::vector<std::uint64_t> priorities (size);
-  const auto forEachNode = [&] (const auto& work) {
-    forEachBlock (
-        size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i)
-            work (static_cast<index_t> (i));
-        });
-  };
-  forEachNode ([&] (index_t i) { priorities[i] = priority (fine, i); });
-
-  std::vector<Role> roles (size, Role::FREE);
-  std::vector<Role> before;
-  const auto anyNeighbor = [&] (index_t i, Role role, const auto& condition) {
-    for (const index_t q : fine.graph.star (i))
-      if (before[q] == role && mayMerge (fine, i, q) && condition (q))
-        return true;
-    return false;
-  };
-  const auto becomesCentre = [&] (index_t i) {
-    return !anyNeighbor (i, Role::FREE, [&] (index_t q) {
-      return std::make_pair (priorities[q], q) < std::make_pair (priorities[i], i);
-    });
-  };
-  for (int round = 0; round < ROUNDS; ++round) {
-    before = roles;
-    forEachNode ([&] (index_t i) {
-      if (before[i] == Role::FREE && becomesCentre (i))
-        roles[i] = Role::CENTRE;
-    });
-    before = roles;
-    forEachNode ([&] (index_t i) {
-      if (before[i] == Role::FREE &&
-          anyNeighbor (i, Role::CENTRE, [] (index_t) { return true; }))
-        roles[i] = Role::COVERED;
-    });
-  }
-  std::replace (roles.begin(), roles.end(), Role::FREE, Role::CENTRE);
-  return roles;
+  return normals[a].dot (normals[b]) > MERGE_COSINE;
 }
 
 /** \brief The nearest centre that a covered node may join. */
 index_t
-nearestCentre (const PyramidLevel& fine, const std::vector<Role>& roles, index_t node)
+nearestCentre (const PyramidLevel& fine,
+               const std::vector<std::uint8_t>& centres,
+               index_t node)
 {
   index_t nearest = node;
   double least = 0.0;
   for (const index_t q : fine.graph.star (node)) {
-    if (roles[q] != Role::CENTRE || !mayMerge (fine, node, q))
+    if (centres[q] == 0 || !mayMerge (fine.normals, node, q))
       continue;
     const double d =
         (fine.positions[q] - fine.positions[node]).cast<double>().squaredNorm();
@@ -195,18 +153,71 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
   return level;
 }
 
+std::vector<std::uint8_t>
+chooseCentres (const std::vector<Eigen::Vector3f>& positions,
+               const std::vector<Eigen::Vector3f>& normals,
+               const SurfaceGraph& graph,
+               const Workers& workers)
+{
+  enum class Role : std::uint8_t { FREE, CENTRE, COVERED };
+
+  const std::size_t size = positions.size();
+  std::vector<std::uint64_t> priorities (size);
+  const auto forEachNode = [&] (const auto& work) {
+    forEachBlock (
+        size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i)
+            work (static_cast<index_t> (i));
+        });
+  };
+  forEachNode ([&] (index_t i) { priorities[i] = priority (positions, graph, i); });
+
+  std::vector<Role> roles (size, Role::FREE);
+  std::vector<Role> before;
+  const auto anyNeighbor = [&] (index_t i, Role role, const auto& condition) {
+    for (const index_t q : graph.star (i))
+      if (before[q] == role && mayMerge (normals, i, q) && condition (q))
+        return true;
+    return false;
+  };
+  const auto becomesCentre = [&] (index_t i) {
+    return !anyNeighbor (i, Role::FREE, [&] (index_t q) {
+      return std::make_pair (priorities[q], q) < std::make_pair (priorities[i], i);
+    });
+  };
+  for (int round = 0; round < ROUNDS; ++round) {
+    before = roles;
+    forEachNode ([&] (index_t i) {
+      if (before[i] == Role::FREE && becomesCentre (i))
+        roles[i] = Role::CENTRE;
+    });
+    before = roles;
+    forEachNode ([&] (index_t i) {
+      if (before[i] == Role::FREE &&
+          anyNeighbor (i, Role::CENTRE, [] (index_t) { return true; }))
+        roles[i] = Role::COVERED;
+    });
+  }
+  std::vector<std::uint8_t> centres;
+  centres.reserve (size);
+  for (const Role role : roles)
+    centres.push_back (role == Role::COVERED ? 0 : 1);
+  return centres;
+}
+
 PyramidLevel
 coarserLevel (const PyramidLevel& fine, const Workers& workers)
 {
-  const std::vector<Role> roles = chooseCentres (fine, workers);
+  const std::vector<std::uint8_t> centres =
+      chooseCentres (fine.positions, fine.normals, fine.graph, workers);
   std::vector<index_t> coarse_of (fine.size(), OrientedPoints::INVALID);
   index_t size = 0;
   for (std::size_t i = 0; i < fine.size(); ++i)
-    if (roles[i] == Role::CENTRE)
+    if (centres[i] != 0)
       coarse_of[i] = size++;
   for (std::size_t i = 0; i < fine.size(); ++i)
-    if (roles[i] == Role::COVERED)
-      coarse_of[i] = coarse_of[nearestCentre (fine, roles, static_cast<index_t> (i))];
+    if (centres[i] == 0)
+      coarse_of[i] = coarse_of[nearestCentre (fine, centres, static_cast<index_t> (i))];
 
   PyramidLevel coarse;
   coarse.positions.resize (size);

@@ -32,8 +32,12 @@ struct Crease {
 /** Least neighbours that the search for creases has to find; more are of no use. */
 constexpr int CREASE_NEIGHBORS = 96;
 
-/** \brief Tests every sample for a sharp edge within one spacing: two planes have to
- * fit what is around it much better than any smooth surface does.
+/** \brief Tests samples for a sharp edge within one spacing: two planes have to fit
+ * what is around them much better than any smooth surface does.
+ *
+ * Centres (see chooseCentres) come first, every fifth sample or so. An edge passes many
+ * of them, so that others are tested around those alone that have a crease, and around
+ * these in turn.
  *
  * In windows of 20, 30, 48 and 96 neighbours, whatever their normals, two planes are
  * fitted by total least squares (Pearson 1901), alternating with the choice of the
@@ -47,7 +51,7 @@ constexpr int CREASE_NEIGHBORS = 96;
  * \param[in] points, graph the samples; spacings are taken from the graph
  * \param[in] search finds CREASE_NEIGHBORS neighbours
  * \param[in] workers a number of threads, 0 for all processors
- * \return for each sample its crease
+ * \return for each sample its crease, NONE for those that were not tested
  */
 std::vector<Crease>
 findCreases (const OrientedPoints& points,

@@ -31,15 +31,27 @@ struct PyramidLevel {
 PyramidLevel
 finestLevel (const OrientedPoints& points, const SurfaceGraph& graph);
 
-/** \brief The next coarser level: some nodes, no two of them neighbours, are centres,
- * and every other node joins the nearest centre among its neighbours.
+/** \brief Chooses samples, or nodes, no two of them neighbours, of which every other
+ * has one among its neighbours.
  *
- * Centres are found in a fixed number of rounds. In each, those of the nodes that are
+ * They are found in a fixed number of rounds. In each, those of the nodes that are
  * still free become centres whose star is more symmetric than that of all their free
  * neighbours, and their neighbours are free no more. This depends on nothing but the
  * surroundings of a node: not on the order of the points, their number, or workers, and
- * not on scale or (but for ties) rotation. What is free after the last round is a node
- * of its own.
+ * not on scale or (but for ties) rotation. What is free after the last round is a
+ * centre of its own. Neighbours across a sharp edge or on two sheets, which are no one
+ * piece of surface, do not count as such.
+ *
+ * \return for each node 1 if it is a centre, else 0
+ */
+std::vector<std::uint8_t>
+chooseCentres (const std::vector<Eigen::Vector3f>& positions,
+               const std::vector<Eigen::Vector3f>& normals,
+               const SurfaceGraph& graph,
+               const Workers& workers);
+
+/** \brief The next coarser level: every node joins the nearest centre among its
+ * neighbours (see chooseCentres).
  */
 PyramidLevel
 coarserLevel (const PyramidLevel& fine, const Workers& workers);
