@@ -6,6 +6,7 @@
 #include "place_search.h"
 
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace pcl {
@@ -74,20 +75,14 @@ public:
         corners.unite (pair.a, pair.b);
       }
     }
-    for (int root = 0; root < static_cast<int> (ends_.size()); ++root) {
-      std::vector<int> members;
-      for (int i = root; i < static_cast<int> (ends_.size()); ++i)
-        if (state_[i] == IN_CORNER && corners.find (i) == root)
-          members.push_back (i);
-      if (members.size() > 1)
-        joins.corners.push_back (cornerOf (members));
-    }
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-      if (state_[i] == FREE) {
-        const int other = runsInto (ends_[i]);
-        if (other != CreaseChains::NO_NODE)
-          joins.bridges.emplace_back (ends_[i].end, other);
-      }
+    std::vector<std::vector<int>> members (ends_.size());
+    for (int i = 0; i < static_cast<int> (ends_.size()); ++i)
+      if (state_[i] == IN_CORNER)
+        members[corners.find (i)].push_back (i);
+    for (const std::vector<int>& of_corner : members)
+      if (of_corner.size() > 1)
+        joins.corners.push_back (cornerOf (of_corner));
+    bridgeToLines (joins);
     return joins;
   }
 
@@ -175,19 +170,41 @@ private:
     return corner;
   }
 
-  /** \brief The node of another line that a free end points at, or NO_NODE. */
-  int
-  runsInto (const End& end) const
+  /** \brief Joins free ends to the lines that they run into. */
+  void
+  bridgeToLines (CreaseJoins& joins) const
   {
-    // In spacings.
-    constexpr double FARTHEST = 2.8;
+    std::vector<Vector3d> places;
+    for (const CreaseNode& node : chains_.nodes)
+      places.push_back (node.foot);
+    const PlaceSearch search (points_, places);
+    std::vector<int> around;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (state_[i] != FREE)
+        continue;
+      // In spacings.
+      constexpr double FARTHEST = 2.8;
+      search.within (ends_[i].foot, FARTHEST * ends_[i].spacing, around);
+      const int other = runsInto (ends_[i], around);
+      if (other != CreaseChains::NO_NODE)
+        joins.bridges.emplace_back (ends_[i].end, other);
+    }
+  }
+
+  /** \brief The nearest node of another line that a free end points at, or NO_NODE.
+   * \param[in] around the nodes that it may be
+   */
+  int
+  runsInto (const End& end, const std::vector<int>& around) const
+  {
     constexpr double LEAST_COSINE = 0.5;
     constexpr double SAME_LINE_COSINE = 0.7;
+    // In spacings.
     constexpr double OWN_CHAIN_LENGTH = 8.0;
     int best = CreaseChains::NO_NODE;
-    double nearest = FARTHEST * end.spacing;
+    double nearest = std::numeric_limits<double>::infinity();
     const int chain = chains_.chain_of[end.end.node];
-    for (int i = 0; i < static_cast<int> (chains_.nodes.size()); ++i) {
+    for (const int i : around) {
       const CreaseNode& node = chains_.nodes[i];
       const Vector3d e = node.foot - end.foot;
       const double length = e.norm();

@@ -74,8 +74,6 @@ withoutSharp (const SharpLines& lines, std::vector<CrestType> crest_points)
   for (std::size_t i = 0; i < lines.blocked.size(); ++i)
     if (lines.blocked[i] != 0)
       crest_points[i] = CrestType::NONE;
-  for (const SharpNode& node : lines.nodes)
-    crest_points[node.point] = CrestType::NONE;
   return crest_points;
 }
 

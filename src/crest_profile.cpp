@@ -161,12 +161,19 @@ readProfile (const OrientedPoints& points,
       describe (own, 0.0, profile);
     return Next::RESOLVE;
   }
+  const double k1 = std::abs (own.k1);
+  const double error = curvatureError (polynomial);
+  const bool flat = (k1 + 2.0 * error) * spacing < FLAT_TURN;
+  if (k1 == 0.0) {
+    // What is exactly flat has no profile.
+    if (!profile.curvature.valid)
+      describe (own, 0.0, profile);
+    return flat ? Next::NOTHING : Next::RESOLVE;
+  }
   const BlendedProfile blend =
       blendProfiles (p, node, from.level, from.fits, from.polynomials);
   const ProfileParabola& c = blend.profile;
   const double window = polynomial.window;
-  const double k1 = std::abs (own.k1);
-  const double error = curvatureError (polynomial);
   // The maximum along u is what is measured, and how certainly; how sharp it is takes
   // the line of curvature.
   const double bend = c.bendOnCurvatureLine (
@@ -190,7 +197,6 @@ readProfile (const OrientedPoints& points,
     foot_error = static_cast<float> (standardErrorOfFoot (from, polynomial, c));
     resolved = foot_error <= LARGEST_FOOT_ERROR * spacing;
   }
-  const bool flat = (k1 + 2.0 * error) * spacing < FLAT_TURN;
   const bool constant = k1 > CURVATURE_Z * error &&
                         std::abs (sharpness) + sharpness_error < LEAST_SHARPNESS &&
                         std::abs (c.slope) < 0.5 * LEAST_SHARPNESS * k1 * k1 * window;

@@ -112,41 +112,92 @@ smoothed (const Places& places, const std::vector<double>& radii, bool closed)
   return result;
 }
 
-/** \brief Where the points of a polyline are moved to.
- * \param[in] closed whether it is a loop that nothing else meets
- */
-std::vector<Eigen::Vector3f>
-smoothPlaces (const std::vector<index_t>& polyline,
-              bool closed,
-              const std::vector<CrestProfile>& profiles,
-              const SurfaceGraph& graph,
-              const std::vector<Eigen::Vector3f>& positions)
-{
-  const Eigen::Vector3d origin = positions[polyline[0]].cast<double>();
-  Places places;
-  std::vector<double> radii;
-  for (const index_t p : polyline) {
-    Eigen::Vector4d& place = places.emplace_back();
-    place << positions[p].cast<double>() - origin, 1.0;
-    radii.push_back (profiles[p].radius);
-  }
-  const Places before = places;
-  for (int round = 0; round < ROUNDS; ++round)
-    places = smoothed (places, radii, closed);
-  std::vector<Eigen::Vector3f> moved;
-  for (std::size_t i = 0; i < polyline.size(); ++i) {
-    if (profiles[polyline[i]].sharp) {
-      moved.push_back (positions[polyline[i]]);
-      continue;
+/** \brief Moves the points of one polyline. */
+class PolylineSmoother {
+public:
+  /** \param[in] closed whether it is a loop that nothing else meets */
+  PolylineSmoother (const std::vector<index_t>& polyline,
+                    bool closed,
+                    const std::vector<CrestProfile>& profiles,
+                    const SurfaceGraph& graph,
+                    const std::vector<Eigen::Vector3f>& positions)
+  : polyline_ (polyline)
+  , closed_ (closed)
+  , profiles_ (profiles)
+  , graph_ (graph)
+  , positions_ (positions)
+  {}
+
+  /** \brief Where the points are moved to. */
+  std::vector<Eigen::Vector3f>
+  places () const
+  {
+    const Eigen::Vector3d origin = positions_[polyline_[0]].cast<double>();
+    Places places;
+    std::vector<double> radii;
+    for (const index_t p : polyline_) {
+      Eigen::Vector4d& place = places.emplace_back();
+      place << positions_[p].cast<double>() - origin, 1.0;
+      radii.push_back (profiles_[p].radius);
     }
-    const double farthest = FARTHEST_MOVE * graph.spacing[polyline[i]];
-    const Eigen::Vector3d move = (places[i] - before[i]).head<3>();
+    for (int round = 0; round < ROUNDS; ++round)
+      places = smoothed (places, radii, closed_);
+    std::vector<Eigen::Vector3f> moved;
+    for (std::size_t i = 0; i < polyline_.size(); ++i)
+      moved.push_back (allowed (i, origin + places[i].head<3>()));
+    unfold (moved);
+    return moved;
+  }
+
+private:
+  /** \brief Where a point may go instead of a place. */
+  Eigen::Vector3f
+  allowed (std::size_t i, const Eigen::Vector3d& place) const
+  {
+    const index_t p = polyline_[i];
+    if (profiles_[p].sharp)
+      return positions_[p];
+    const Eigen::Vector3d before = positions_[p].cast<double>();
+    const Eigen::Vector3d move = place - before;
+    const double farthest = FARTHEST_MOVE * graph_.spacing[p];
     const double length = move.norm();
     const double part = length > farthest ? farthest / length : 1.0;
-    moved.emplace_back ((origin + before[i].head<3>() + part * move).cast<float>());
+    return (before + part * move).cast<float>();
   }
-  return moved;
-}
+
+  /** \brief Takes back what is left of folds, where points are out of order: no smooth
+   * crest turns back within a spacing. Each point at which the polyline does goes to
+   * the middle of its neighbours.
+   */
+  void
+  unfold (std::vector<Eigen::Vector3f>& places) const
+  {
+    constexpr int MOST_ROUNDS = 8;
+    const std::size_t period = places.size() - 1;
+    bool folded = true;
+    for (int round = 0; round < MOST_ROUNDS && folded; ++round) {
+      folded = false;
+      for (std::size_t i = closed_ ? 0 : 1; i < period; ++i) {
+        const Eigen::Vector3d here = places[i].cast<double>();
+        const Eigen::Vector3d before =
+            places[i > 0 ? i - 1 : period - 1].cast<double>();
+        const Eigen::Vector3d after = places[i + 1].cast<double>();
+        if ((here - before).dot (after - here) >= 0.0)
+          continue;
+        places[i] = allowed (i, 0.5 * (before + after));
+        folded = true;
+      }
+      if (closed_)
+        places[period] = places[0];
+    }
+  }
+
+  const std::vector<index_t>& polyline_;
+  bool closed_;
+  const std::vector<CrestProfile>& profiles_;
+  const SurfaceGraph& graph_;
+  const std::vector<Eigen::Vector3f>& positions_;
+};
 
 } // namespace
 
@@ -176,7 +227,8 @@ smoothLines (const std::vector<CrestLine>& lines,
     failure.guard ([&] {
       const Task& task = tasks[i];
       task.places =
-          smoothPlaces (task.polyline, task.closed, profiles, graph, positions);
+          PolylineSmoother (task.polyline, task.closed, profiles, graph, positions)
+              .places();
     });
   failure.rethrow();
   return places;

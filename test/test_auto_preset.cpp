@@ -258,6 +258,24 @@ TEST (AutoLines, RunAlongSamplesOnRequest)
     EXPECT_EQ ((*samples.line_cloud)[i].getVector3fMap(), (*cloud)[i].getVector3fMap());
 }
 
+TEST (AutoCurvature, HasADirectionOnAnExactPlane)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 30; ++i)
+    for (int j = 0; j < 30; ++j) {
+      pcl::PointNormal point (static_cast<float> (i), static_cast<float> (j), 0.0F);
+      point.normal_z = 1.0F;
+      cloud->push_back (point);
+    }
+  pcl::CrestLineEstimation<pcl::PointNormal> estimation;
+  estimation.setInputCloud (cloud);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  for (const pcl::PrincipalCurvatures& c : estimation.getPrincipalCurvatures())
+    ASSERT_NEAR (
+        Eigen::Map<const Eigen::Vector3f> (c.principal_curvature).norm(), 1.0F, 1e-5F);
+}
+
 TEST (AutoParameters, AngleLengthAndConfidenceOnlyRemove)
 {
   const Cloud::Ptr exact = oracle::sample (oracle::bumpySphere(), 12000);

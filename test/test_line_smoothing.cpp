@@ -109,6 +109,30 @@ TEST (LineSmoothing, TakesNoPointFartherThanTwoSpacings)
   EXPECT_NEAR ((net.points.positions[stray] - before).norm(), 2.0, 1e-4);
 }
 
+TEST (LineSmoothing, TurnsNoLineBack)
+{
+  // Of a straight line two points stand in each other's place, with fits too narrow to
+  // tell; of another one, sharp, they stay.
+  for (const bool sharp : {false, true}) {
+    Net net;
+    std::vector<pcl::index_t> polyline;
+    for (const float x : {0.0F, 1.0F, 2.0F, 3.4F, 2.9F, 5.0F, 6.0F, 7.0F}) {
+      polyline.push_back (net.add ({x, 0.0F, 0.0F}));
+      net.profiles.back().radius = 1.0F;
+      net.profiles.back().sharp = sharp;
+    }
+    net.lines = {lineOf ({polyline}, false)};
+    net.smooth();
+    const std::vector<Eigen::Vector3f>& p = net.points.positions;
+    int back = 0;
+    for (std::size_t i = 1; i < p.size(); ++i)
+      back += p[i].x() < p[i - 1].x() ? 1 : 0;
+    EXPECT_EQ (back, sharp ? 1 : 0);
+    EXPECT_EQ (p.front().x(), 0.0F);
+    EXPECT_EQ (p.back().x(), 7.0F);
+  }
+}
+
 TEST (LineSmoothing, LeavesSharpPointsAndEnds)
 {
   Net net;

@@ -15,10 +15,11 @@ using LinePlaces = std::vector<std::vector<Eigen::Vector3f>>;
  *
  * Each point stands where its own profile has its maximum, give or take the error of
  * that; within the radius that a curvature was fitted over a crest cannot turn any
- * faster than a quadratic. Ends of polylines stay where they are, so that lines still
- * meet, and so do the points of sharp edges, which may bend at once; no point moves by
- * more than two spacings. Each polyline is smoothed by itself, whichever others there
- * are.
+ * faster than a quadratic. Where that leaves points out of order, so that the line
+ * turns back, they go to the middle of their neighbours. Ends of polylines stay where
+ * they are, so that lines still meet, and so do the points of sharp edges, which may
+ * bend at once; no point moves by more than two spacings. Each polyline is smoothed by
+ * itself, whichever others there are.
  *
  * \param[in] lines whose polylines run through the points
  * \param[in] profiles for the radii
