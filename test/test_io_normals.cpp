@@ -260,6 +260,60 @@ TEST_F (IoNormals, OpenSurfacesLookUpOrToTheViewpoint)
   EXPECT_NE (std::string::npos, read.notes.at (0).find ("toward the viewpoint"));
 }
 
+TEST_F (IoNormals, ScansLookToTheirSensorEverywhere)
+{
+  // What a sensor at the origin sees of a ball that hangs before a corner of three
+  // walls, of which two are far away and seen at a grazing angle.
+  pcl::PointCloud<pcl::PointXYZ> scan;
+  const Eigen::Vector3d ball (0.0, 0.0, 3.0);
+  constexpr double RADIUS = 0.5;
+  for (int i = -80; i <= 80; ++i)
+    for (int j = -80; j <= 80; ++j) {
+      const Eigen::Vector3d ray =
+          Eigen::Vector3d (0.01 * i, 0.01 * j, 1.0).normalized();
+      double t = 5.0 / ray.z();
+      if (ray.x() > 0.0)
+        t = std::min (t, 1.5 / ray.x());
+      if (ray.y() > 0.0)
+        t = std::min (t, 1.5 / ray.y());
+      const double middle = ray.dot (ball);
+      const double squared = middle * middle - ball.squaredNorm() + RADIUS * RADIUS;
+      if (squared > 0.0)
+        t = std::min (t, middle - std::sqrt (squared));
+      const Eigen::Vector3f p = (t * ray).cast<float>();
+      scan.push_back ({p.x(), p.y(), p.z()});
+    }
+  pcl::PCDWriter().writeBinary (directory_.file ("scan.pcd"), scan);
+  InputCloud read;
+  std::string error;
+  ASSERT_TRUE (readCloud (directory_.file ("scan.pcd"), 16, 2, read, error)) << error;
+  const auto faces = [] (const pcl::PointNormal& p) {
+    return p.getNormalVector3fMap().dot (p.getVector3fMap()) < 0.0F;
+  };
+  EXPECT_GE (static_cast<double> (
+                 std::count_if (read.points->begin(), read.points->end(), faces)),
+             0.995 * static_cast<double> (read.points->size()));
+  EXPECT_NE (std::string::npos, read.notes.at (0).find ("which all points are seen"));
+}
+
+TEST_F (IoNormals, ModelsLookOutwardWhereverTheViewpointIs)
+{
+  // Within the ball nothing is hidden either, but it is closed.
+  for (const float z : {0.0F, 10.0F}) {
+    const Cloud cloud = sphere (1.0, 0.06, {0, 0, 0});
+    pcl::PointCloud<pcl::PointXYZ> model;
+    pcl::copyPointCloud (cloud, model);
+    model.sensor_origin_ = Eigen::Vector4f (0, 0, z, 0);
+    pcl::PCDWriter().writeBinary (directory_.file ("model.pcd"), model);
+    InputCloud read;
+    std::string error;
+    ASSERT_TRUE (readCloud (directory_.file ("model.pcd"), 16, 2, read, error))
+        << error;
+    EXPECT_GE (agreement (cloud, *read.points), 0.995) << z;
+    EXPECT_NE (std::string::npos, read.notes.at (0).find ("closed: outward")) << z;
+  }
+}
+
 TEST_F (IoNormals, OrganizedCloudsLookToTheirSensor)
 {
   // The image of a folded wall: turned over as a whole it would be as consistent.

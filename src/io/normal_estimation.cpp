@@ -68,16 +68,6 @@ takeSamples (const pcl::PointCloud<pcl::PointNormal>& cloud)
   return samples;
 }
 
-void
-turnToViewpoint (const pcl::PointCloud<pcl::PointXYZ>& points,
-                 const Eigen::Vector3f& viewpoint,
-                 std::vector<Eigen::Vector3f>& normals)
-{
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (normals[i].dot (viewpoint - points[i].getVector3fMap()) < 0.0F)
-      normals[i] = -normals[i];
-}
-
 } // namespace
 
 Orientation
@@ -97,12 +87,8 @@ estimateNormals (FileContent& content, int k, unsigned threads)
     std::optional<Eigen::Vector3f> viewpoint;
     if (content.viewpoint)
       viewpoint = samples.fromCloud (*content.viewpoint);
-    // An organized cloud is one image of a sensor, which sees no surface from behind.
-    orientation.single_view = viewpoint.has_value() && cloud.height > 1;
-    if (orientation.single_view)
-      turnToViewpoint (*samples.points, *viewpoint, normals);
-    else
-      orientation = orientNormals (*samples.points, viewpoint, threads, normals);
+    orientation =
+        orientNormals (*samples.points, viewpoint, cloud.height > 1, threads, normals);
   }
   for (std::size_t i = 0; i < cloud.size(); ++i)
     cloud[i].getNormalVector3fMap() = samples.of_point[i] < 0

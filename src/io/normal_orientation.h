@@ -14,9 +14,9 @@ namespace crest {
 
 /** \brief How the sides of the connected parts of a cloud were decided. */
 struct Orientation {
-  /** each normal by itself toward the viewpoint, the cloud being seen from there alone
-   */
+  /** all toward the viewpoint, as the cloud was seen from there alone */
   bool single_view = false;
+  /** else the numbers of parts */
   std::size_t outward = 0;
   std::size_t toward_viewpoint = 0;
   std::size_t upward = 0;
@@ -32,19 +32,25 @@ struct Orientation {
  * 2003 do, which is exact where the neighbours lie on a common circle:
  * n.m - 2 (n.e)(m.e), with e the direction of the edge.
  *
- * The side of a part as a whole: outward if it is closed, that is if its normals add
- * up to nothing much and its signed volume by the divergence theorem is not zero; else
- * toward the viewpoint, if there is one and most of the part faces it or most faces
- * away; else upward, to +z.
+ * Where all was seen from the viewpoint alone, because the cloud is an image or because
+ * no points hide others, all normals face it (see faceViewpoint), unless the cloud is
+ * one closed surface around it.
+ *
+ * Otherwise the side of a part as a whole: outward if it is closed, that is if its
+ * normals add up to nothing much and its signed volume by the divergence theorem is not
+ * zero; else toward the viewpoint, if there is one and most of the part faces it or
+ * most faces away; else upward, to +z.
  *
  * \param[in] points finite, no two of them equal, not far from unit size
  * \param[in] viewpoint in the same coordinates
+ * \param[in] organized whether the points are an image of a sensor there
  * \param[in] threads 0 for all processors
  * \param[in,out] normals of unit length or zero
  */
 Orientation
 orientNormals (const pcl::PointCloud<pcl::PointXYZ>& points,
                const std::optional<Eigen::Vector3f>& viewpoint,
+               bool organized,
                unsigned threads,
                std::vector<Eigen::Vector3f>& normals);
 

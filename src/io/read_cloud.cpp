@@ -111,7 +111,7 @@ describe (const Orientation& orientation, std::size_t k)
   std::string note =
       "Normals were estimated from " + std::to_string (k) + " neighbours";
   if (orientation.single_view)
-    return note + " and turned toward the viewpoint, as the cloud is organized.";
+    return note + " and turned toward the viewpoint, which all points are seen from.";
   note += " and made consistent over each connected part.";
   const auto add = [&note] (std::size_t parts, const char* side) {
     if (parts != 0)
