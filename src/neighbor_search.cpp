@@ -6,6 +6,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <mutex>
@@ -20,7 +21,7 @@ namespace {
 NeighborCount
 candidateCount (int k)
 {
-  return {k - 1, EQUIDISTANT, 8 * k - 1};
+  return {k - 1, EQUIDISTANT, mostCandidates (k) - 1};
 }
 
 /** \brief The i-th point and its neighbours. */
@@ -88,6 +89,33 @@ private:
 
 } // namespace
 
+void
+keepNearest (const OrientedPoints& points,
+             index_t point,
+             int k,
+             std::vector<index_t>& found)
+{
+  const auto most = static_cast<std::size_t> (mostCandidates (k));
+  if (found.size() <= most)
+    return;
+  const auto scaled = [&points, scale = 1.0 / points.unit] (index_t i) {
+    return Eigen::Vector3f ((scale * points.positions[i].cast<double>()).cast<float>());
+  };
+  const Eigen::Vector3f p = scaled (point);
+  std::vector<std::pair<float, index_t>> others;
+  for (const index_t q : found)
+    if (q != point) {
+      const Eigen::Vector3f d = scaled (q) - p;
+      others.emplace_back ((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z(), q);
+    }
+  std::sort (others.begin(), others.end());
+  others.erase (std::unique (others.begin(), others.end()), others.end());
+  others.resize (std::min (others.size(), most - 1));
+  found.assign (1, point);
+  for (const auto& [squared_distance, q] : others)
+    found.push_back (q);
+}
+
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters)
 {
@@ -101,9 +129,11 @@ kdTreeSearch (const OrientedPoints& points, const Parameters& parameters)
   const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>> (false);
   if (!cloud->empty())
     tree->setInputCloud (cloud);
-  return [tree, cloud, k = parameters.k, radius = parameters.radius * scale] (
+  return [&points, tree, cloud, k = parameters.k, radius = parameters.radius * scale] (
              index_t point, std::vector<index_t>& found) {
     findNeighbors<pcl::PointXYZ> (*tree, (*cloud)[point], k, radius, found);
+    if (!(radius > 0.0))
+      keepNearest (points, point, k, found);
   };
 }
 

@@ -245,6 +245,46 @@ TEST (Feature, EverySearchMethodGivesTheSameLabels)
   }
 }
 
+TEST (Feature, EverySearchMethodChoosesTheSameOfManyEquallyFar)
+{
+  const Cloud::Ptr cone = pcl::make_shared<Cloud> (1, 1);
+  cone->back().getNormalVector3fMap() = Eigen::Vector3f::UnitZ();
+  for (int i = 0; i < 4 * 360; ++i) {
+    const double angle = (i % 360) * M_PI / 180.0;
+    const Eigen::Vector3d out (std::cos (angle), std::sin (angle), 0.0);
+    pcl::PointNormal point;
+    point.getVector3fMap() =
+        ((1 + i / 360) * (out - Eigen::Vector3d::UnitZ())).cast<float>();
+    point.getNormalVector3fMap() =
+        (out + Eigen::Vector3d::UnitZ()).normalized().cast<float>();
+    cone->push_back (point);
+  }
+  Estimation estimation;
+  estimation.setPreset (Preset::PAPER);
+  estimation.setInputCloud (cone);
+  estimation.setUseBatchedSearch (true);
+  labelsOf (estimation);
+  const auto expected = estimation.getPrincipalCurvatures();
+  estimation.setUseBatchedSearch (false);
+  for (const pcl::search::Search<pcl::PointNormal>::Ptr& method :
+       {pcl::search::Search<pcl::PointNormal>::Ptr(),
+        pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::KdTree<pcl::PointNormal>),
+        pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::BruteForce<pcl::PointNormal>),
+        pcl::search::Search<pcl::PointNormal>::Ptr (
+            new pcl::search::Octree<pcl::PointNormal> (0.05))}) {
+    estimation.setSearchMethod (method);
+    labelsOf (estimation);
+    const auto& found = estimation.getPrincipalCurvatures();
+    ASSERT_EQ (found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_TRUE (found[i].pc1 == expected[i].pc1 ||
+                   (std::isnan (found[i].pc1) && std::isnan (expected[i].pc1)))
+          << i;
+  }
+}
+
 TEST (Feature, RadiusTakesThePlaceOfK)
 {
   const Cloud::Ptr cloud = ridgeAndValley();

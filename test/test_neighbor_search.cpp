@@ -89,6 +89,17 @@ clouds ()
                            size * coordinate (random) + static_cast<float> (i % 7));
   }
   result.push_back (cloudOf (clusters));
+  // More than 8 k are equally far from the tip of a cone.
+  constexpr int MERIDIANS = 800;
+  std::vector<Eigen::Vector3f> cone{Eigen::Vector3f::Zero()};
+  for (int ring = 1; ring <= 4; ++ring)
+    for (int i = 0; i < MERIDIANS; ++i) {
+      const double angle = 2.0 * M_PI * i / MERIDIANS;
+      cone.emplace_back (
+          (ring * Eigen::Vector3d (std::cos (angle), std::sin (angle), -1.0))
+              .cast<float>());
+    }
+  result.push_back (cloudOf (cone));
   result.push_back (cloudOf ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   return result;
 }

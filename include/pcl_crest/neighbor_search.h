@@ -18,10 +18,30 @@ using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& 
 
 struct PointTree;
 
+/** \brief The most candidates of a point, itself among them: k and those equally far.
+ */
+constexpr int
+mostCandidates (int k)
+{
+  return 8 * k;
+}
+
+/** \brief Leaves mostCandidates of what was found for a point: the point and the
+ * nearest others, of equally near ones (in floats, as the batched search has them)
+ * those of lowest index. Whichever search found them, they are the same. \param[in,out]
+ * found packed points, in any order
+ */
+void
+keepNearest (const OrientedPoints& points,
+             index_t point,
+             int k,
+             std::vector<index_t>& found);
+
 /** \brief The default: PCL's KdTree over the packed points, scaled to about the unit
  * box, since squares of very large or small coordinates do not fit into its floats, by
  * a power of two, which rounds nothing.
- * \param[in] points to search in \param[in] parameters k and radius are used
+ * \param[in] points to search in, which have to outlive the search
+ * \param[in] parameters k and radius are used
  */
 NeighborSearch
 kdTreeSearch (const OrientedPoints& points, const Parameters& parameters);

@@ -155,6 +155,8 @@ CrestLineEstimation<PointInT, PointOutT>::analyze (const crest::OrientedPoints& 
       else if (points.packed_index[i] != crest::OrientedPoints::INVALID)
         found[kept++] = points.packed_index[i];
     found.resize (kept);
+    if (!(parameters.radius > 0.0))
+      crest::keepNearest (points, point, parameters.k, found);
   };
   shape = tree_ ? crest::analyzeSurface (points, given_search, parameters, &progress)
                 : crest::analyzeSurface (points, parameters, &progress);

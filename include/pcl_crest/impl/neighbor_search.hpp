@@ -6,6 +6,8 @@
 #include <pcl/search/search.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -13,9 +15,8 @@ namespace crest {
 /** \brief The neighbours of a point through any of PCL's searches: k with the point
  * itself, or all within the radius.
  *
- * Points as far away as the k-th are all found, because which of them a search
- * returns depends on its inner order. Where more than 8 k are equally far, the search
- * chooses.
+ * Points as far away as the k-th are all found, however many: which of them a search
+ * returns depends on its inner order (see keepNearest).
  *
  * \param[in] search a search whose input cloud is set
  * \param[in] query the query point
@@ -37,26 +38,24 @@ findNeighbors (const pcl::search::Search<PointT>& search,
     search.radiusSearch (query, radius, found, distances);
     return;
   }
-  for (int wanted = k + 1;; wanted *= 2) {
-    search.nearestKSearch (query, wanted, found, distances);
-    if (found.size() <= static_cast<std::size_t> (k))
-      return;
-    ranked = distances;
-    const auto kth = ranked.begin() + (k - 1);
-    std::nth_element (ranked.begin(), kth, ranked.end());
-    const auto limit = static_cast<float> (*kth * (1.0 + EQUIDISTANT));
-    const bool complete = found.size() < static_cast<std::size_t> (wanted) ||
-                          *std::max_element (kth, ranked.end()) > limit ||
-                          wanted > 8 * k;
-    if (!complete)
-      continue;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (distances[i] <= limit)
-        found[kept++] = found[i];
-    found.resize (kept);
+  search.nearestKSearch (query, k + 1, found, distances);
+  if (found.size() <= static_cast<std::size_t> (k))
     return;
+  ranked = distances;
+  const auto kth = ranked.begin() + (k - 1);
+  std::nth_element (ranked.begin(), kth, ranked.end());
+  const auto limit = static_cast<float> (*kth * (1.0 + EQUIDISTANT));
+  if (*std::max_element (kth, ranked.end()) <= limit) {
+    // Searches leave out what is at the radius itself, and round on the way there.
+    constexpr double WIDER = 1.0 + 1e-5;
+    const float squared = std::max (limit, std::numeric_limits<float>::min());
+    search.radiusSearch (query, WIDER * std::sqrt (squared), found, distances);
   }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (distances[i] <= limit)
+      found[kept++] = found[i];
+  found.resize (kept);
 }
 
 } // namespace crest
