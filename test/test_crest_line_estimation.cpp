@@ -709,6 +709,8 @@ TEST (Feature, MistakesAreRefusedInWords)
     set (estimation);
     expectRefused (estimation, words);
   };
+  refused ([] (Estimation& e) { e.setSearchSurface (pcl::make_shared<Cloud>()); },
+           "The search surface is empty");
   refused (
       [] (Estimation& e) {
         e.setKSearch (10);

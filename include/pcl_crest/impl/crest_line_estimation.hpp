@@ -56,6 +56,9 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
     fake_surface_ = true;
     surface_ = input_;
   }
+  if (surface_->empty())
+    return refuse ("The search surface is empty: set one that has the input points, or "
+                   "none to search the input cloud");
   if (analysis_) {
     const std::string other =
         crest::explainOtherShape (analysis_->parameters, getParameters());
