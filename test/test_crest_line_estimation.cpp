@@ -17,7 +17,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <new>
 #include <random>
+#include <stdexcept>
 
 using namespace pcl::crest;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
@@ -480,6 +482,73 @@ TEST (Feature, SearchMethodThatReturnsStrangeIndices)
   estimation.setInputCloud (oracle::sample (oracle::wavyRidge(), 500));
   estimation.setSearchMethod (pcl::make_shared<ForgetfulSearch>());
   expectRefused (estimation, "returned points outside the cloud");
+}
+
+/** \brief Throws what it is given. */
+template <typename Exception>
+class ThrowingSearch : public pcl::search::BruteForce<pcl::PointNormal> {
+public:
+  explicit ThrowingSearch (Exception exception) : exception_ (std::move (exception)) {}
+
+  int
+  nearestKSearch (const pcl::PointNormal&,
+                  int,
+                  pcl::Indices&,
+                  std::vector<float>&) const override
+  {
+    throw exception_;
+  }
+
+private:
+  Exception exception_;
+};
+
+/** \brief Keeps a KdTree from taking any cloud. */
+class ThrowingRepresentation : public pcl::PointRepresentation<pcl::PointNormal> {
+public:
+  ThrowingRepresentation() { nr_dimensions_ = 3; }
+
+  void
+  copyToFloatArray (const pcl::PointNormal&, float*) const override
+  {
+    throw std::runtime_error ("out of luck");
+  }
+};
+
+TEST (Feature, SearchMethodThatThrows)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  for (const unsigned threads : {1U, 2U}) {
+    estimation.setNumberOfThreads (threads);
+    estimation.setSearchMethod (pcl::make_shared<ThrowingSearch<std::runtime_error>> (
+        std::runtime_error ("out of luck")));
+    expectRefused (estimation, "The search method failed: out of luck");
+    const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>();
+    tree->setPointRepresentation (pcl::make_shared<ThrowingRepresentation>());
+    estimation.setSearchMethod (tree);
+    expectRefused (estimation, "The search method failed: out of luck");
+  }
+  estimation.setSearchMethod (nullptr);
+  EXPECT_EQ (labelsOf (estimation), labelsOf (ridgeAndValley()));
+}
+
+TEST (Feature, MemoryThatDoesNotSufficeLeavesNothing)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  labelsOf (estimation);
+  estimation.setSearchMethod (
+      pcl::make_shared<ThrowingSearch<std::bad_alloc>> (std::bad_alloc()));
+  Labels labels;
+  pcl::PolygonMesh lines;
+  lines.polygons.resize (2);
+  EXPECT_THROW (estimation.compute (labels, lines), std::bad_alloc);
+  EXPECT_TRUE (labels.empty());
+  EXPECT_EQ (labels.width * labels.height, 0U);
+  EXPECT_TRUE (lines.polygons.empty());
+  EXPECT_TRUE (estimation.getLines().empty());
+  EXPECT_TRUE (estimation.getPrincipalCurvatures().empty());
 }
 
 TEST (Feature, OrganizedSearchOfAnUnorganizedCloudIsRefused)

@@ -38,9 +38,10 @@ namespace pcl {
  * projective device. A search method that is set is given the surface at each compute,
  * because the points behind its pointer may have changed.
  *
- * Mistakes are reported with PCL_ERROR and leave all outputs empty. A cloud without
- * any usable point is no mistake: its labels are all crest::LABEL_INVALID, and PCL_WARN
- * says so.
+ * Mistakes are reported with PCL_ERROR and leave all outputs empty, and so does a
+ * search method that throws. Where memory does not suffice they are left empty, too,
+ * and std::bad_alloc is thrown. A cloud without any usable point is no mistake: its
+ * labels are all crest::LABEL_INVALID, and PCL_WARN says so.
  *
  * Compiled into the library for pcl::Label and PointNormal, PointXYZINormal,
  * PointXYZRGBNormal, PointXYZLNormal and PointSurfel; for other types include

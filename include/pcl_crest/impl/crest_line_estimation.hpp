@@ -13,6 +13,9 @@
 #include <pcl/conversions.h>
 
 #include <atomic>
+#include <exception>
+#include <new>
+#include <stdexcept>
 
 namespace pcl {
 
@@ -89,7 +92,12 @@ CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
             "Point " + std::to_string (i) +
             " is not finite, though is_dense of its cloud is true: set it to "
             "false to use a search method of your own");
-  tree_->setInputCloud (surface_);
+  try {
+    tree_->setInputCloud (surface_);
+  }
+  catch (const std::exception& problem) {
+    return refuse (std::string ("The search method failed: ") + problem.what());
+  }
   const auto* const organized =
       dynamic_cast<const pcl::search::OrganizedNeighbor<PointInT>*> (tree_.get());
   if (organized != nullptr && !organized->isValid())
@@ -146,11 +154,20 @@ CrestLineEstimation<PointInT, PointOutT>::analyze (const crest::OrientedPoints& 
   const crest::Parameters parameters = getParameters();
   std::atomic<bool> stale_search{false};
   const crest::NeighborSearch given_search = [&] (index_t point, pcl::Indices& found) {
-    crest::findNeighbors<PointInT> (*tree_,
-                                    (*surface_)[points.cloud_index[point]],
-                                    parameters.k,
-                                    parameters.radius,
-                                    found);
+    try {
+      crest::findNeighbors<PointInT> (*tree_,
+                                      (*surface_)[points.cloud_index[point]],
+                                      parameters.k,
+                                      parameters.radius,
+                                      found);
+    }
+    catch (const std::bad_alloc&) {
+      throw;
+    }
+    catch (const std::exception& problem) {
+      throw std::runtime_error (std::string ("The search method failed: ") +
+                                problem.what());
+    }
     std::size_t kept = 0;
     for (const index_t i : found)
       if (i < 0 || static_cast<std::size_t> (i) >= surface_->size())
@@ -283,6 +300,13 @@ void
 CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
 {
   crest::Progress progress (progress_callback_);
+  const auto leaveNothing = [this, &output] {
+    result_ = Result();
+    output.clear();
+    output.width = output.height = 0;
+    // Feature::compute does so only where nothing is thrown.
+    this->deinitCompute();
+  };
   try {
     result_.complete = extract (progress, output);
   }
@@ -291,15 +315,19 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
               "output.\n",
               getClassName().c_str());
   }
-  catch (...) {
-    this->deinitCompute();
+  catch (const std::bad_alloc&) {
+    leaveNothing();
     throw;
   }
-  if (!result_.complete) {
-    result_ = Result();
-    output.clear();
-    output.width = output.height = 0;
+  catch (const std::exception& problem) {
+    PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), problem.what());
   }
+  catch (...) {
+    leaveNothing();
+    throw;
+  }
+  if (!result_.complete)
+    leaveNothing();
 }
 
 template <typename PointInT, typename PointOutT>
