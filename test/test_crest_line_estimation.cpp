@@ -307,6 +307,28 @@ TEST (Feature, RadiusTakesThePlaceOfK)
     EXPECT_EQ (label, LABEL_INVALID);
 }
 
+TEST (Feature, ARadiusCanBeSetAfterAllParameters)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const double radius = 3.0 * oracle::meanSpacing (*cloud);
+  Estimation by_radius;
+  by_radius.setInputCloud (cloud);
+  by_radius.setRadiusSearch (radius);
+  const std::vector<std::uint32_t> expected = labelsOf (by_radius);
+  Parameters parameters;
+  for (const int k : {parameters.k, 16}) {
+    parameters.k = k;
+    Estimation estimation;
+    estimation.setInputCloud (cloud);
+    estimation.setParameters (parameters);
+    EXPECT_EQ (estimation.getParameters().k, k);
+    estimation.setRadiusSearch (radius);
+    EXPECT_EQ (labelsOf (estimation), expected);
+    estimation.setRadiusSearch (0.0);
+    EXPECT_EQ (estimation.getParameters().k, k);
+  }
+}
+
 TEST (Feature, TheBatchedSearchGivesTheSameLabels)
 {
   Estimation estimation;

@@ -217,13 +217,14 @@ public:
   }
 
   /** \brief Set all parameters at once. k and radius take the place of setKSearch and
-   * setRadiusSearch.
+   * setRadiusSearch; a radius that is set afterwards takes that of k.
    */
   void
   setParameters (const crest::Parameters& parameters)
   {
     parameters_ = parameters;
-    k_ = parameters.radius > 0.0 ? 0 : parameters.k;
+    // With k_ a radius that is set later would be refused.
+    k_ = 0;
     search_radius_ = parameters.radius;
   }
 
