@@ -11,7 +11,7 @@ namespace {
 
 template <typename T>
 std::string
-complain (const char* name, const T& value, const char* wanted)
+complain (const char* name, const T& value, const std::string& wanted)
 {
   std::ostringstream message;
   message << name << " is " << value << ", but must be " << wanted;
@@ -59,9 +59,11 @@ explainInvalid (const Parameters& p)
 {
   if (p.radius < 0.0 || !std::isfinite (p.radius))
     return complain ("the search radius", p.radius, "finite and not negative");
-  // More than a thousand candidates for eight places are a mistake, and take hours.
-  if (p.radius == 0.0 && (p.k < 4 || p.k > 1000))
-    return complain ("k", p.k, "from 4 (the point and three neighbours) to 1000");
+  if (p.radius == 0.0 && (p.k < 4 || p.k > MOST_NEIGHBORS))
+    return complain ("k",
+                     p.k,
+                     "from 4 (the point and three neighbours) to " +
+                         std::to_string (MOST_NEIGHBORS));
   if (p.points_per_quadrant < 1 || p.points_per_quadrant > 16)
     return complain (
         "the number of points per quadrant", p.points_per_quadrant, "from 1 to 16");

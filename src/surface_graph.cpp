@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <sstream>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace pcl {
@@ -16,9 +18,31 @@ namespace crest {
 
 namespace {
 
+/** \brief Refuses a radius that holds too many, as one in another unit than the cloud
+ * does, before every point has found all others. Leaves each of those found once.
+ */
+void
+checkRadius (double radius, std::vector<index_t>& found)
+{
+  if (found.size() <= MOST_NEIGHBORS)
+    return;
+  // A search over the raw cloud finds all copies of a sample.
+  std::sort (found.begin(), found.end());
+  found.erase (std::unique (found.begin(), found.end()), found.end());
+  if (found.size() <= MOST_NEIGHBORS)
+    return;
+  std::ostringstream message;
+  message << "The search radius of " << radius << " holds " << found.size()
+          << " points around one of them, but must hold at most " << MOST_NEIGHBORS
+          << ": it is in the unit of the cloud";
+  throw std::runtime_error (message.str());
+}
+
 /** \brief Candidates from a search for single points, in the order of the points. */
 struct PointwiseCandidates {
   const NeighborSearch& search;
+  /** 0 for k neighbours */
+  double radius;
 
   /** \brief Calls use (point, found) for the points of a block. */
   template <typename Use>
@@ -29,6 +53,8 @@ struct PointwiseCandidates {
     for (std::size_t i = first; i < last; ++i) {
       const auto point = static_cast<index_t> (i);
       search (point, found);
+      if (radius > 0.0)
+        checkRadius (radius, found);
       use (point, found);
     }
   }
@@ -277,8 +303,12 @@ buildSurfaceGraph (const OrientedPoints& points,
   const Workers workers (parameters.threads, progress);
   SurfaceGraph graph;
   DirectedStars stars (points.size(), roomFor (parameters));
-  filterNeighbors (
-      points, PointwiseCandidates{search}, parameters, workers, stars, graph);
+  filterNeighbors (points,
+                   PointwiseCandidates{search, parameters.radius},
+                   parameters,
+                   workers,
+                   stars,
+                   graph);
   symmetrize (stars, workers, graph);
   return graph;
 }

@@ -329,6 +329,40 @@ TEST (Feature, ARadiusCanBeSetAfterAllParameters)
   }
 }
 
+TEST (Feature, ARadiusThatHoldsTooManyIsRefused)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setRadiusSearch (1000.0);
+  const std::string words = "radius of 1000 holds " + std::to_string (cloud->size()) +
+                            " points around one of them, but must hold at most 1000";
+  for (const unsigned threads : {1U, 2U}) {
+    estimation.setNumberOfThreads (threads);
+    expectRefused (estimation, words);
+  }
+  estimation.setSearchMethod (
+      pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
+  expectRefused (estimation, words);
+}
+
+TEST (Feature, CopiesOfAPointAreNotTooManyForARadius)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setRadiusSearch (3.0 * oracle::meanSpacing (*cloud));
+  estimation.setSearchMethod (
+      pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
+  const std::vector<std::uint32_t> expected = labelsOf (estimation);
+  const pcl::PointNormal again = (*cloud)[100];
+  for (int i = 0; i < 2000; ++i)
+    cloud->push_back (again);
+  const std::vector<std::uint32_t> labels = labelsOf (estimation);
+  ASSERT_EQ (labels.size(), cloud->size());
+  EXPECT_TRUE (std::equal (expected.begin(), expected.end(), labels.begin()));
+}
+
 TEST (Feature, TheBatchedSearchGivesTheSameLabels)
 {
   Estimation estimation;

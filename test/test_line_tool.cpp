@@ -261,6 +261,15 @@ TEST_F (LineTool, TypeRadiusAndAbsoluteAreHeeded)
   EXPECT_EQ (cloud_->size(), labelsOf ({"-radius", "1e-6"})[LABEL_INVALID]);
 }
 
+TEST_F (LineTool, ARadiusInTheWrongUnitIsRefused)
+{
+  const Outcome result = run ({input(), outputs_.file ("o.pcd"), "-radius", "1000"});
+  EXPECT_EQ (1, result.code);
+  EXPECT_NE (std::string::npos, result.error.find ("The search radius of 1000 holds"))
+      << result.error;
+  EXPECT_TRUE (outputs_.names().empty());
+}
+
 TEST_F (LineTool, HelpGoesToTheStandardOutput)
 {
   for (const std::vector<std::string>& arguments :

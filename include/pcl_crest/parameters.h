@@ -46,6 +46,10 @@ enum class Positions : std::uint8_t {
   SAMPLES
 };
 
+/** \brief The most neighbours that the filter chooses from, by k or within a radius:
+ * more than a thousand for eight places are a mistake, and take hours. */
+constexpr int MOST_NEIGHBORS = 1000;
+
 /** \brief The parameters of the crest line extraction. The Feature's setters and the
  * tools' options fill this struct; no default is stated anywhere else.
  */
@@ -60,7 +64,8 @@ struct Parameters {
    * is positive. docs/method.md has the measurement behind the default. */
   int k = 24;
 
-  /** Search radius in the cloud's unit; 0 searches for k neighbours instead. */
+  /** Search radius in the cloud's unit; 0 searches for k neighbours instead. One that
+   * holds more than MOST_NEIGHBORS around a point is a mistake. */
   double radius = 0.0;
 
   /** Whether the k neighbours are found by the library's own search, leaf by leaf,

@@ -74,8 +74,11 @@ struct SurfaceGraph {
  *
  * \param[in] points the samples
  * \param[in] search finds the candidates
- * \param[in] parameters points_per_quadrant, max_normal_angle and threads are used
+ * \param[in] parameters points_per_quadrant, max_normal_angle, radius and threads are
+ * used
  * \param[in] progress to tell how far it is, if not null
+ * \throw std::runtime_error, in words for the user, where the radius holds more than
+ * MOST_NEIGHBORS
  */
 SurfaceGraph
 buildSurfaceGraph (const OrientedPoints& points,
