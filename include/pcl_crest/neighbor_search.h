@@ -28,8 +28,10 @@ mostCandidates (int k)
 
 /** \brief Leaves mostCandidates of what was found for a point: the point and the
  * nearest others, of equally near ones (in floats, as the batched search has them)
- * those of lowest index. Whichever search found them, they are the same. \param[in,out]
- * found packed points, in any order
+ * those of lowest index. Whichever search found them, they are the same.
+ *
+ * \param[in] points, point, k as in the search
+ * \param[in,out] found packed points, in any order
  */
 void
 keepNearest (const OrientedPoints& points,
