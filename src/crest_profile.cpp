@@ -211,7 +211,6 @@ readProfile (const OrientedPoints& points,
     profile.peak_z = static_cast<float> (peak_z);
     profile.sharpness = static_cast<float> (sharpness);
     profile.fall = static_cast<float> (-bend / k1);
-    profile.scale = from.scale;
     profile.resolved = resolved;
     profile.coarsest_level = SCALES[from.scale].level == COARSEST_LEVEL;
   }

@@ -31,7 +31,6 @@ profileOf (const Crease& crease, float spacing, float noise)
   profile.fall = 1.0F;
   profile.noise = noise;
   profile.radius = spacing;
-  profile.scale = 0;
   profile.resolved = true;
   profile.sharp = true;
   return profile;
@@ -49,7 +48,6 @@ profileOf (const ScaleFit& fit)
   profile.normal = fit.normal;
   profile.noise = static_cast<float> (fit.noise);
   profile.radius = static_cast<float> (fit.radius);
-  profile.scale = 0;
   return profile;
 }
 

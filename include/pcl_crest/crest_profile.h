@@ -15,8 +15,6 @@ namespace crest {
  * it.
  */
 struct CrestProfile {
-  static constexpr int NO_SCALE = -1;
-
   PrincipalCurvature curvature{0.0F, 0.0F, Eigen::Vector3f::Zero(), false};
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** height of the surface over the sample, along the normal, in the cloud's unit */
@@ -37,9 +35,6 @@ struct CrestProfile {
   float noise = 0.0F;
   /** of the neighbourhood that the curvature was fitted to, in the cloud's unit */
   float radius = 0.0F;
-  /** index of the scale, from the finest, or NO_SCALE where there was nothing beside
-   * the sample at any, as at a border: then there is curvature, but no profile */
-  int scale = NO_SCALE;
   /** whether the profile is significantly not constant */
   bool resolved = false;
   /** whether the scale is one of the coarsest level, where nothing is beside a crest */
