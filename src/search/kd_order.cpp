@@ -99,7 +99,8 @@ void
 sortByRank (PackedPoint* first, PackedPoint* last, const Kernels& kernels)
 {
   float values[SMALL + KERNEL_SLACK];
-  std::int32_t indices[SMALL + KERNEL_SLACK];
+  // Kernels load whole vectors, beyond the count too.
+  std::int32_t indices[SMALL + KERNEL_SLACK] = {};
   std::int32_t ranks[SMALL + KERNEL_SLACK];
   PackedPoint points[SMALL];
   const auto count = static_cast<int> (last - first);
