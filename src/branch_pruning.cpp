@@ -64,7 +64,9 @@ public:
 
   /** \brief Removes branches of one edge from junctions that are between two other
    * points as well: all of these go, in whichever order. Most branches are such, and
-   * need not be sorted then. \param[in] edges those that the graph was made of
+   * need not be sorted then.
+   *
+   * \param[in] edges those that the graph was made of
    */
   void
   removeTwigs (const std::vector<CrestEdge>& edges)

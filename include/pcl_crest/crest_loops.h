@@ -13,8 +13,10 @@ namespace crest {
  *
  * \param[in] points for the lengths
  * \param[in] edges the edges that the forest was made of; they are tried in the order
- * in which Kruskal's algorithm tries them \param[in] limits for each point the length
- * up to which a loop stays cut, in the cloud's unit; the larger of an edge's two counts
+ * in which Kruskal's algorithm tries them
+ *
+ * \param[in] limits for each point the length up to which a loop stays cut, in the
+ * cloud's unit; the larger of an edge's two counts
  * \param[in] forest a minimum spanning forest of the edges
  */
 std::vector<CrestEdge>

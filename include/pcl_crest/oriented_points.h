@@ -89,8 +89,10 @@ fingerprint (const PointView& cloud, const Workers& workers = 1);
  * \param[in] cloud, indices the points to find
  * \param[in] surface, points a cloud and what packOrientedPoints made of it
  * \param[out] packed for each of the indices its packed point, or INVALID where it is
- * not finite or the surface has no valid point there \return the first of the indices
- * whose finite position no point of the surface has, or INVALID if there is none
+ * not finite or the surface has no valid point there
+ *
+ * \return the first of the indices whose finite position no point of the surface has,
+ * or INVALID if there is none
  */
 index_t
 locatePoints (const PointView& cloud,

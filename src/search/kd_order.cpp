@@ -36,8 +36,7 @@ boundsOf (const PackedPoint* first, const PackedPoint* last, std::ptrdiff_t step
 }
 
 /** \brief The axis to split points along: the widest, as a sample of them tells, or
- * none
- * (-1) if they are all coincident.
+ * none (-1) if they are all coincident.
  */
 int
 splitAxis (const PackedPoint* first, const PackedPoint* last)

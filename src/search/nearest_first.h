@@ -30,7 +30,9 @@ public:
   NearestFirst (const PointTree& tree, const Kernels& kernels);
 
   /** \brief The nearest neighbours of the point at a place, sorted.
-   * \param[in] count how many of them \param[in] limit on the squared distance
+   *
+   * \param[in] count how many of them
+   * \param[in] limit on the squared distance
    * \return valid until the next search
    */
   const std::vector<Ranked>&

@@ -42,10 +42,15 @@ struct LeafNeighbors {
  *
  * The result is exact: what comparing all points by (squared distance, index) would
  * give, whatever the instructions, the order of the points and the searches before. One
- * such object belongs to one thread; consecutive leaves are fastest. \code PointTree
- * tree; const std::string error = buildPointTree (&points[0].x, 3, points.size(), 0,
- * tree); LeafSearch search (tree, {20}); for (std::size_t leaf = 0; leaf <
- * tree.leaves.size(); ++leaf) { const LeafNeighbors& found = search.searchLeaf (leaf);
+ * such object belongs to one thread; consecutive leaves are fastest.
+ *
+ * \code
+ * PointTree tree;
+ * const std::string error =
+ *     buildPointTree (&points[0].x, 3, points.size(), 0, tree);
+ * LeafSearch search (tree, {20});
+ * for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+ *   const LeafNeighbors& found = search.searchLeaf (leaf);
  *   for (int i = 0; i < found.count; ++i)
  *     for (std::size_t j = found.offsets[i]; j < found.offsets[i + 1]; ++j)
  *       use (tree.index (found.first + i), tree.index (found.places[j]));
@@ -54,8 +59,11 @@ struct LeafNeighbors {
  */
 class LeafSearch {
 public:
-  /** \param[in] tree has to outlive the search \param[in] count what to find
-   * \param[in] simd one that isAvailable */
+  /** \param[in] tree has to outlive the search
+   *
+   * \param[in] count what to find
+   * \param[in] simd one that isAvailable
+   */
   LeafSearch (const PointTree& tree,
               const NeighborCount& count,
               Simd simd = bestSimd());
