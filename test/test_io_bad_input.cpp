@@ -196,6 +196,27 @@ TEST_F (IoBadInput, HeadersThatAnnounceMoreThanThereIs)
     refusal (name, content);
 }
 
+TEST_F (IoBadInput, HeadersThatAnnounceMoreThanIndicesReach)
+{
+  const std::string coordinates =
+      "property float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
+  const std::vector<std::array<std::string, 2>> files{
+      {"a.off", "OFF\n3000000000 0 0\n0 0 0\n"},
+      {"a.ply", "ply\nformat ascii 1.0\nelement vertex 3000000000\n" + coordinates},
+      {"a.ply",
+       "ply\nformat binary_little_endian 1.0\nelement vertex 3000000000\n" +
+           coordinates},
+      {"a.vtk", VTK_HEADER + "POINTS 3000000000 float\n0 0 0\n"},
+      {"a.pcd",
+       PCD_HEADER + "WIDTH 3000000000\nHEIGHT 1\nPOINTS 3000000000\nDATA binary\nxx"},
+      {"a.pcd", PCD_HEADER + "WIDTH 50000\nHEIGHT 60000\nDATA ascii\n0 0 0\n"}};
+  for (const auto& [name, content] : files)
+    EXPECT_EQ (": 3000000000 points are too large a cloud for 32-bit indices, which "
+               "tell 2147483647 points apart",
+               refusal (name, content))
+        << content;
+}
+
 TEST_F (IoBadInput, NoFileIsReadInPart)
 {
   // Cut off anywhere before its last point, none of the files is taken for a whole one,

@@ -61,6 +61,12 @@ makePoint (const double* values, bool with_normal)
   return point;
 }
 
+/** \brief Throws if there are more points than an index_t tells apart: to be called
+ * before room is made for as many, and before their places become indices.
+ */
+void
+checkPointCount (std::size_t points);
+
 /** \brief Throws unless the corners of all faces are points of the file. */
 void
 checkFaces (const FileContent& content);

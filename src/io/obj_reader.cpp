@@ -47,6 +47,7 @@ private:
       double values[3];
       readCoordinates (values);
       content_.points->push_back (makePoint (values, false));
+      checkPointCount (content_.points->size());
     }
     else if (keyword == "vn") {
       double values[3];
@@ -103,7 +104,9 @@ private:
     if (index == 0 || index < -static_cast<std::int64_t> (so_far))
       scanner_.fail ("there is no vertex or normal " + std::to_string (index) +
                      " (they count from 1, or backwards from -1)");
-    return index > 0 ? index - 1 : static_cast<index_t> (so_far) + index;
+    return index > 0
+               ? index - 1
+               : static_cast<index_t> (static_cast<std::int64_t> (so_far) + index);
   }
 
   TextScanner scanner_;

@@ -48,18 +48,21 @@ readOff (const std::string& text)
     words = scanner.words();
   if (words.size() < 2)
     scanner.fail ("expected the numbers of vertices and of faces");
-  const auto vertices = scanner.number<index_t> (words[0], "the number of vertices");
-  const auto faces = scanner.number<index_t> (words[1], "the number of faces");
+  const auto vertices =
+      scanner.number<std::int64_t> (words[0], "the number of vertices");
+  const auto faces = scanner.number<std::int64_t> (words[1], "the number of faces");
   if (vertices < 0 || faces < 0)
     scanner.fail ("the numbers of vertices and of faces must not be negative");
+  checkPointCount (static_cast<std::size_t> (vertices));
 
-  const auto lineOf = [&scanner] (const char* what, index_t i, index_t count) {
-    if (!scanner.nextLine())
-      scanner.fail ("the file ends after " + std::to_string (i) + " of " +
-                    std::to_string (count) + " " + what);
-  };
+  const auto lineOf =
+      [&scanner] (const char* what, std::int64_t i, std::int64_t count) {
+        if (!scanner.nextLine())
+          scanner.fail ("the file ends after " + std::to_string (i) + " of " +
+                        std::to_string (count) + " " + what);
+      };
   const std::size_t numbers = content.has_normals ? 6 : 3;
-  for (index_t i = 0; i < vertices; ++i) {
+  for (std::int64_t i = 0; i < vertices; ++i) {
     lineOf ("vertices", i, vertices);
     if (scanner.words().size() < numbers)
       scanner.fail ("expected " + std::to_string (numbers) + " coordinates, found " +
@@ -69,7 +72,7 @@ readOff (const std::string& text)
       values[j] = scanner.number<double> (scanner.words()[j], "a coordinate");
     content.points->push_back (makePoint (values, content.has_normals));
   }
-  for (index_t i = 0; i < faces; ++i) {
+  for (std::int64_t i = 0; i < faces; ++i) {
     lineOf ("faces", i, faces);
     const auto corners =
         scanner.number<std::size_t> (scanner.words()[0], "the number of corners");

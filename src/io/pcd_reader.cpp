@@ -65,8 +65,10 @@ readHeader (TextScanner& scanner)
   const auto number = [&scanner] {
     if (scanner.words().size() != 2)
       scanner.fail ("expected one number");
-    return static_cast<std::size_t> (
-        scanner.number<index_t> (scanner.words()[1], "a whole number"));
+    const auto value =
+        scanner.number<std::size_t> (scanner.words()[1], "a whole number");
+    checkPointCount (value);
+    return value;
   };
   while (header.coding.empty()) {
     if (!scanner.nextLine())
@@ -103,6 +105,7 @@ readHeader (TextScanner& scanner)
       scanner.fail ("expected a line of a PCD header, found \"" +
                     TextScanner::shown (words[0]) + "\"");
   }
+  checkPointCount (width * height);
   if (!has_points)
     header.points = width * height;
   if (header.counts.empty())

@@ -82,11 +82,14 @@ private:
         readFormat (words[1]);
         has_format = true;
       }
-      else if (words[0] == "element" && words.size() == 3)
+      else if (words[0] == "element" && words.size() == 3) {
         elements_.push_back (
             {std::string (words[1]),
              scanner_.number<std::size_t> (words[2], "the number of elements"),
              {}});
+        if (words[1] == "vertex")
+          checkPointCount (elements_.back().count);
+      }
       else if (words[0] == "property")
         readProperty();
       else if (words[0] != "comment" && words[0] != "obj_info")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/search/point_tree.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
@@ -89,6 +90,7 @@ readContent (const std::string& file)
                                               : readXyz (text);
   if (content.points->empty())
     throw ReadError ("it has no points");
+  checkPointCount (content.points->size());
   return content;
 }
 
@@ -259,6 +261,15 @@ nameOf (NormalSource source)
     break;
   }
   return "estimated";
+}
+
+void
+checkPointCount (std::size_t points)
+{
+  if (points > MOST_POINTS)
+    throw ReadError (std::to_string (points) +
+                     " points are too large a cloud for 32-bit indices, which tell " +
+                     std::to_string (MOST_POINTS) + " points apart");
 }
 
 void

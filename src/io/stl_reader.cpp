@@ -33,8 +33,10 @@ public:
   {
     const auto [place, is_new] = index_of_.emplace (
         std::array<float, 3>{x, y, z}, static_cast<index_t> (content.points->size()));
-    if (is_new)
+    if (is_new) {
       content.points->push_back (pcl::PointNormal (x, y, z));
+      checkPointCount (content.points->size());
+    }
     content.faces.corners.push_back (place->second);
   }
 

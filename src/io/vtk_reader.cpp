@@ -99,7 +99,9 @@ private:
   readSection (std::string_view keyword)
   {
     if (keyword == "POINTS") {
-      const std::size_t numbers = product (3, readSize ("points"));
+      const std::size_t points = readSize ("points");
+      checkPointCount (content_.points->size() + points);
+      const std::size_t numbers = product (3, points);
       const std::vector<double> values = readArray (numbers, readType());
       for (std::size_t i = 0; i < values.size(); i += 3)
         content_.points->push_back (makePoint (&values[i], false));
