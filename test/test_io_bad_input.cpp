@@ -217,6 +217,42 @@ TEST_F (IoBadInput, HeadersThatAnnounceMoreThanIndicesReach)
         << content;
 }
 
+TEST_F (IoBadInput, PcdFieldsThatNoPointCanHave)
+{
+  // Beside x y z of 4 bytes each, so many fields of these sizes and counts.
+  const auto pcd =
+      [] (int fields, const std::string& size, const std::string& count, int points) {
+        std::string names = "FIELDS x y z";
+        std::string sizes = "\nSIZE 4 4 4";
+        std::string types = "\nTYPE F F F";
+        std::string counts = "\nCOUNT 1 1 1";
+        for (int i = 0; i < fields; ++i) {
+          names += " f" + std::to_string (i);
+          sizes += " " + size;
+          types += " F";
+          counts += " " + count;
+        }
+        return "VERSION .7\n" + names + sizes + types + counts + "\nWIDTH " +
+               std::to_string (points) + "\nHEIGHT 1\nDATA binary\n" +
+               std::string (1000000, '\0');
+      };
+  // But for x y z, the size of all points is 0 modulo 2^64.
+  EXPECT_EQ (":3: a field has numbers of 1048576 bytes, but must have 1, 2, 4 or 8",
+             refusal ("a.pcd", pcd (256, "1048576", "1048576", 65536)));
+  EXPECT_EQ (":3: a field has numbers of 3 bytes, but must have 1, 2, 4 or 8",
+             refusal ("a.pcd", pcd (1, "3", "1", 1)));
+  EXPECT_EQ (":5: a field has a count of 1048577, but must have one from 1 to 1048576",
+             refusal ("a.pcd", pcd (1, "8", "1048577", 1)));
+  EXPECT_EQ (":5: a field has a count of 0, but must have one from 1 to 1048576",
+             refusal ("a.pcd", pcd (1, "8", "0", 1)));
+  EXPECT_EQ (": its header announces points of 2147483660 bytes, but at most "
+             "2147483647 are supported",
+             refusal ("a.pcd", pcd (256, "8", "1048576", 1)));
+  EXPECT_EQ (": its header announces 2000000000 points, which take at least "
+             "4278190104000000000 bytes, but only 1000000 follow",
+             refusal ("a.pcd", pcd (255, "8", "1048576", 2000000000)));
+}
+
 TEST_F (IoBadInput, NoFileIsReadInPart)
 {
   // Cut off anywhere before its last point, none of the files is taken for a whole one,

@@ -6,6 +6,7 @@
 #include "number_type.h"
 
 #include <array>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -19,10 +20,10 @@ struct PcdHeader {
   std::size_t points = 0;
   std::string coding;
 
-  std::size_t
+  std::uint64_t
   pointSize () const
   {
-    std::size_t bytes = 0;
+    std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < fields; ++i)
       bytes += sizes[i] * counts[i];
     return bytes;
@@ -40,17 +41,36 @@ struct PcdHeader {
 std::vector<std::size_t>
 readNumbers (const TextScanner& scanner)
 {
-  // More than any point has, and few enough that no product of them overflows.
-  constexpr std::size_t LARGEST = 1U << 20U;
   std::vector<std::size_t> numbers;
-  for (std::size_t i = 1; i < scanner.words().size(); ++i) {
+  for (std::size_t i = 1; i < scanner.words().size(); ++i)
     numbers.push_back (
         scanner.number<std::size_t> (scanner.words()[i], "a whole number"));
-    if (numbers.back() == 0 || numbers.back() > LARGEST)
-      scanner.fail ("a field has a size or count of " +
-                    std::to_string (numbers.back()));
-  }
   return numbers;
+}
+
+std::vector<std::size_t>
+readSizes (const TextScanner& scanner)
+{
+  std::vector<std::size_t> sizes = readNumbers (scanner);
+  for (const std::size_t size : sizes)
+    if (size != 1 && size != 2 && size != 4 && size != 8)
+      scanner.fail ("a field has numbers of " + std::to_string (size) +
+                    " bytes, but must have 1, 2, 4 or 8");
+  return sizes;
+}
+
+std::vector<std::size_t>
+readCounts (const TextScanner& scanner)
+{
+  // More than any point has, and few enough for sums over as many fields as fit into
+  // memory.
+  constexpr std::size_t LARGEST = 1U << 20U;
+  std::vector<std::size_t> counts = readNumbers (scanner);
+  for (const std::size_t count : counts)
+    if (count == 0 || count > LARGEST)
+      scanner.fail ("a field has a count of " + std::to_string (count) +
+                    ", but must have one from 1 to " + std::to_string (LARGEST));
+  return counts;
 }
 
 PcdHeader
@@ -77,9 +97,9 @@ readHeader (TextScanner& scanner)
     if (words[0] == "FIELDS" || words[0] == "COLUMNS")
       header.fields = words.size() - 1;
     else if (words[0] == "SIZE")
-      header.sizes = readNumbers (scanner);
+      header.sizes = readSizes (scanner);
     else if (words[0] == "COUNT")
-      header.counts = readNumbers (scanner);
+      header.counts = readCounts (scanner);
     else if (words[0] == "TYPE")
       for (std::size_t i = 1; i < words.size(); ++i)
         types += words[i];
@@ -117,6 +137,12 @@ readHeader (TextScanner& scanner)
   if (header.fields == 0 || header.sizes.size() != header.fields ||
       header.counts.size() != header.fields || types.size() != header.fields)
     throw ReadError ("its header needs FIELDS, SIZE, TYPE and COUNT of equal numbers");
+  // PCL keeps the places of fields in an int.
+  constexpr std::uint64_t LARGEST_POINT = std::numeric_limits<std::int32_t>::max();
+  if (header.pointSize() > LARGEST_POINT)
+    throw ReadError ("its header announces points of " +
+                     std::to_string (header.pointSize()) + " bytes, but at most " +
+                     std::to_string (LARGEST_POINT) + " are supported");
   return header;
 }
 
@@ -147,8 +173,9 @@ checkData (const PcdHeader& header, TextScanner& scanner)
     checkRows (header, scanner);
     return;
   }
-  const std::size_t size = header.points * header.pointSize();
-  std::size_t needed = 0;
+  // Neither factor has more than 31 bits.
+  const std::uint64_t size = header.points * header.pointSize();
+  std::uint64_t needed = 0;
   if (header.coding == "binary")
     needed = size;
   else if (header.coding == "binary_compressed") {
@@ -156,7 +183,7 @@ checkData (const PcdHeader& header, TextScanner& scanner)
     constexpr std::size_t BEST_RATIO = 88;
     const std::string_view sizes = scanner.bytes (8, "the size of the data");
     needed = decodeAs<std::uint32_t> (sizes.data(), false);
-    const std::size_t inflated = decodeAs<std::uint32_t> (sizes.data() + 4, false);
+    const std::uint64_t inflated = decodeAs<std::uint32_t> (sizes.data() + 4, false);
     if (inflated != size || inflated / BEST_RATIO > needed)
       throw ReadError ("its compressed data do not make up the " +
                        std::to_string (header.points) + " points that it announces");
