@@ -12,6 +12,7 @@
 #include "support/flipped_labels.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <random>
@@ -161,57 +162,109 @@ TEST_F (Bunny, LinesAreTreesWithoutShortBranches)
   }
 }
 
-TEST_F (Bunny, BothSearchesGiveTheSameLines)
+namespace {
+
+/** \brief All that a run gives, each point known by its place in one order. */
+struct Outcome {
+  std::vector<std::uint32_t> labels;
+  /** k1, k2 and the direction of k1 */
+  std::vector<std::array<float, 5>> curvatures;
+  std::vector<CrestLine> lines;
+  std::vector<Eigen::Vector3f> line_points;
+  double mean_spacing;
+};
+
+struct Run {
+  unsigned threads;
+  bool batched;
+};
+
+/** \brief \param[in] order point i of the cloud is known as order[i] */
+Outcome
+outcomeOf (const Cloud::ConstPtr& cloud,
+           const std::vector<pcl::index_t>& order,
+           Preset preset,
+           const Run& run)
 {
-  for (const Preset preset : {Preset::PAPER, Preset::AUTO}) {
-    const auto run = [&] (bool batched, pcl::PointCloud<pcl::Label>& labels) {
-      Estimation estimation;
-      estimation.setInputCloud (cloud_);
-      estimation.setPreset (preset);
-      estimation.setUseBatchedSearch (batched);
-      estimation.compute (labels);
-      return estimation;
-    };
-    pcl::PointCloud<pcl::Label> labels, expected_labels;
-    const Estimation estimation = run (true, labels);
-    const Estimation expected = run (false, expected_labels);
-    ASSERT_EQ (labels.size(), cloud_->size());
-    for (std::size_t i = 0; i < labels.size(); ++i)
-      ASSERT_EQ (labels[i].label, expected_labels[i].label) << i;
-    EXPECT_EQ (estimation.getStatistics().mean_spacing,
-               expected.getStatistics().mean_spacing);
-    ASSERT_GT (expected.getLines().size(), 10U);
-    ASSERT_EQ (estimation.getLines().size(), expected.getLines().size());
-    for (std::size_t l = 0; l < expected.getLines().size(); ++l) {
-      const CrestLine& line = estimation.getLines()[l];
-      EXPECT_EQ (line.polylines, expected.getLines()[l].polylines);
-      EXPECT_EQ (line.length, expected.getLines()[l].length);
-      EXPECT_EQ (line.strength, expected.getLines()[l].strength);
-    }
+  Estimation estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setPreset (preset);
+  estimation.setNumberOfThreads (run.threads);
+  estimation.setUseBatchedSearch (run.batched);
+  pcl::PointCloud<pcl::Label> labels;
+  estimation.compute (labels);
+  Outcome outcome;
+  outcome.labels.resize (order.size());
+  outcome.curvatures.resize (order.size());
+  outcome.line_points.resize (order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const pcl::PrincipalCurvatures& k = estimation.getPrincipalCurvatures()[i];
+    outcome.labels[order[i]] = labels[i].label;
+    outcome.curvatures[order[i]] = {k.pc1,
+                                    k.pc2,
+                                    k.principal_curvature_x,
+                                    k.principal_curvature_y,
+                                    k.principal_curvature_z};
+    outcome.line_points[order[i]] = (*estimation.getLineCloud())[i].getVector3fMap();
+  }
+  outcome.mean_spacing = estimation.getStatistics().mean_spacing;
+  outcome.lines = estimation.getLines();
+  for (CrestLine& line : outcome.lines)
+    for (auto& polyline : line.polylines)
+      for (pcl::index_t& point : polyline)
+        point = order[point];
+  return outcome;
+}
+
+void
+expectSame (const Outcome& a, const Outcome& b)
+{
+  EXPECT_EQ (a.labels, b.labels);
+  EXPECT_EQ (a.curvatures, b.curvatures);
+  EXPECT_EQ (a.line_points, b.line_points);
+  EXPECT_EQ (a.mean_spacing, b.mean_spacing);
+  ASSERT_EQ (a.lines.size(), b.lines.size());
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    EXPECT_EQ (a.lines[i].type, b.lines[i].type);
+    EXPECT_EQ (a.lines[i].polylines, b.lines[i].polylines);
+    EXPECT_EQ (a.lines[i].length, b.lines[i].length);
+    EXPECT_EQ (a.lines[i].strength, b.lines[i].strength);
   }
 }
 
-TEST_F (Bunny, OrderThreadsAndNormalsGiveTheSame)
-{
-  Estimation estimation;
-  estimation.setNumberOfThreads (1);
-  const std::vector<std::uint32_t> expected = labelsAt (1.0, cloud_, estimation);
-  Estimation threaded;
-  threaded.setNumberOfThreads (2);
-  EXPECT_EQ (labelsAt (1.0, cloud_, threaded), expected);
+} // namespace
 
-  std::vector<std::size_t> order (cloud_->size());
-  std::iota (order.begin(), order.end(), 0);
+TEST_F (Bunny, OrderThreadsAndSearchesGiveTheSame)
+{
+  std::vector<pcl::index_t> in_order (cloud_->size());
+  std::iota (in_order.begin(), in_order.end(), 0);
+  std::vector<pcl::index_t> order = in_order;
   std::shuffle (order.begin(), order.end(), std::mt19937 (1));
   const Cloud::Ptr shuffled = pcl::make_shared<Cloud>();
-  for (const std::size_t i : order) {
+  for (const pcl::index_t i : order)
     shuffled->push_back ((*cloud_)[i]);
-    shuffled->back().getNormalVector3fMap() *= -1.0F;
+  for (const Preset preset : {Preset::PAPER, Preset::AUTO}) {
+    const Outcome expected = outcomeOf (cloud_, in_order, preset, {1, false});
+    ASSERT_GT (expected.lines.size(), 10U);
+    expectSame (outcomeOf (cloud_, in_order, preset, {2, true}), expected);
+    expectSame (outcomeOf (shuffled, order, preset, {1, true}), expected);
+    expectSame (outcomeOf (shuffled, order, preset, {2, false}), expected);
   }
-  Estimation other;
-  const std::vector<std::uint32_t> labels = labelsAt (1.0, shuffled, other);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    different += oracle::flipped (labels[i]) != expected[order[i]] ? 1 : 0;
-  EXPECT_EQ (different, 0U);
+}
+
+TEST_F (Bunny, FlippedNormalsSwapRidgesAndValleys)
+{
+  const Cloud::Ptr flipped = pcl::make_shared<Cloud> (*cloud_);
+  for (pcl::PointNormal& point : *flipped)
+    point.getNormalVector3fMap() *= -1.0F;
+  std::vector<pcl::index_t> in_order (cloud_->size());
+  std::iota (in_order.begin(), in_order.end(), 0);
+  for (const Preset preset : {Preset::PAPER, Preset::AUTO}) {
+    const Outcome expected = outcomeOf (cloud_, in_order, preset, {2, true});
+    const Outcome other = outcomeOf (flipped, in_order, preset, {2, true});
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < in_order.size(); ++i)
+      different += oracle::flipped (other.labels[i]) != expected.labels[i] ? 1 : 0;
+    EXPECT_EQ (different, 0U);
+  }
 }
