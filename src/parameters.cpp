@@ -11,11 +11,29 @@ namespace {
 
 template <typename T>
 std::string
-complain (const char* name, const T& value, const std::string& wanted)
+complain (const std::string& name, const T& value, const std::string& wanted)
 {
   std::ostringstream message;
   message << name << " is " << value << ", but must be " << wanted;
   return message.str();
+}
+
+/** \brief What is wrong with what is set for each type; which of them is named unless
+ * it is both.
+ */
+template <typename T, typename Validity>
+std::string
+complainOfTypes (const std::string& name,
+                 const PerType<T>& values,
+                 const Validity& isValid,
+                 const char* wanted)
+{
+  const bool ridge = isValid (values.ridge);
+  const bool valley = isValid (values.valley);
+  if (ridge && valley)
+    return {};
+  const char* const of_type = valley ? " of ridges" : ridge ? " of valleys" : "";
+  return complain (name + of_type, ridge ? values.valley : values.ridge, wanted);
 }
 
 /** \brief What is set though the preset does not have it. */
@@ -81,19 +99,28 @@ explainInvalid (const Parameters& p)
                   "confidence of the preset auto instead"
                 : " is set, but belongs to the preset auto: choose that with setPreset "
                   "(Preset::AUTO)");
-  for (const CrestType type : CREST_TYPES) {
-    if (!(p.maximality[type] >= 0.0 && std::isfinite (p.maximality[type])))
-      return complain ("M", p.maximality[type], "finite and not negative");
-    if (minSize (p, type) < 0)
-      return complain ("S", minSize (p, type), "not negative");
-  }
+  std::string wrong_maximality = complainOfTypes (
+      "M",
+      p.maximality,
+      [] (double m) { return m >= 0.0 && std::isfinite (m); },
+      "finite and not negative");
+  if (!wrong_maximality.empty())
+    return wrong_maximality;
+  std::string wrong_size = complainOfTypes (
+      "S",
+      PerType<int>{minSize (p, CrestType::RIDGE), minSize (p, CrestType::VALLEY)},
+      [] (int size) { return size >= 0; },
+      "not negative");
+  if (!wrong_size.empty())
+    return wrong_size;
   if (!(p.min_strength >= 0.0 && std::isfinite (p.min_strength)))
     return complain (
         "the least strength of a line", p.min_strength, "finite and not negative");
   if (!(p.angle >= 0.0 && p.angle <= 180.0))
     return complain ("the turning angle", p.angle, "from 0 to 180 degrees");
   if (!(p.min_length >= 0.0 && std::isfinite (p.min_length)))
-    return complain ("the least length of a line", p.min_length, "not negative");
+    return complain (
+        "the least length of a line", p.min_length, "finite and not negative");
   if (!(p.confidence >= 0.0 && std::isfinite (p.confidence)))
     return complain ("the confidence", p.confidence, "finite and not negative");
   // Far above any machine; OpenMP may end the process where it cannot have its threads.

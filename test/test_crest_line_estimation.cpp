@@ -918,3 +918,18 @@ TEST (Feature, AfterAMistakeTheNextComputeWorks)
   estimation.setTurningAngle (Parameters().angle);
   EXPECT_EQ (labelsOf (estimation), labelsOf (cloud));
 }
+
+TEST (Feature, TheTypeWhoseThresholdIsWrongIsNamed)
+{
+  const auto refused = [] (const auto& set, const std::string& words) {
+    Estimation estimation;
+    estimation.setInputCloud (ridgeAndValley());
+    estimation.setPreset (Preset::PAPER);
+    set (estimation);
+    expectRefused (estimation, words);
+  };
+  refused ([] (Estimation& e) { e.setRidgeMaximality (-2.0); }, "M of ridges is -2");
+  refused ([] (Estimation& e) { e.setValleyMaximality (NAN); }, "M of valleys is nan");
+  refused ([] (Estimation& e) { e.setRidgeMinSize (-2); }, "S of ridges is -2");
+  refused ([] (Estimation& e) { e.setValleyMinSize (-3); }, "S of valleys is -3");
+}

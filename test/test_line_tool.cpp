@@ -319,9 +319,14 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-radius", "0"}, "above 0");
   expectUsageError ({in, out, "-radius", "nan"}, "above 0");
   expectUsageError ({in, out, "-M", "0,5"}, "must be a number");
-  expectUsageError ({in, out, "-preset", "paper", "-M_valley", "-1"}, "M is -1");
+  expectUsageError ({in, out, "-preset", "paper", "-M_valley", "-1"},
+                    "M of valleys is -1, but must be finite and not negative");
+  expectUsageError ({in, out, "-preset", "paper", "-M_ridge", "inf"},
+                    "M of ridges is inf");
   expectUsageError ({in, out, "-preset", "paper", "-M", "nan"}, "M is nan");
-  expectUsageError ({in, out, "-S_ridge", "-2"}, "S is -2");
+  expectUsageError ({in, out, "-S", "-2"}, "S is -2, but must be not negative");
+  expectUsageError ({in, out, "-S_ridge", "-2"}, "S of ridges is -2");
+  expectUsageError ({in, out, "-S_valley", "-3"}, "S of valleys is -3");
   expectUsageError ({in, out, "-preset", "paper", "-prune", "-1"}, "-1");
   expectUsageError ({in, out, "-preset", "fast"}, "must be auto or paper");
   expectUsageError ({in, out, "-search", "fast"}, "must be batched or kdtree");
@@ -330,7 +335,9 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-angle", "181"}, "from 0 to 180 degrees");
   expectUsageError ({in, out, "-angle", "30deg"}, "must be a number");
   expectUsageError ({in, out, "-min_length", "-1"}, "least length of a line is -1");
-  expectUsageError ({in, out, "-min_length", "inf"}, "least length of a line is inf");
+  expectUsageError (
+      {in, out, "-min_length", "inf"},
+      "least length of a line is inf, but must be finite and not negative");
   expectUsageError ({in, out, "-confidence", "nan"}, "the confidence is nan");
   expectUsageError ({in, out, "-positions", "edges"}, "must be crest or samples");
   for (const char* option : {"-M", "-M_ridge", "-M_valley", "-prune"})

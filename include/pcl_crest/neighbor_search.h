@@ -42,6 +42,7 @@ keepNearest (const OrientedPoints& points,
 /** \brief The default: PCL's KdTree over the packed points, scaled to about the unit
  * box, since squares of very large or small coordinates do not fit into its floats, by
  * a power of two, which rounds nothing.
+ *
  * \param[in] points to search in, which have to outlive the search
  * \param[in] parameters k and radius are used
  */
