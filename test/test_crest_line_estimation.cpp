@@ -14,6 +14,7 @@
 
 #include "support/analytic_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -932,4 +933,50 @@ TEST (Feature, TheTypeWhoseThresholdIsWrongIsNamed)
   refused ([] (Estimation& e) { e.setValleyMaximality (NAN); }, "M of valleys is nan");
   refused ([] (Estimation& e) { e.setRidgeMinSize (-2); }, "S of ridges is -2");
   refused ([] (Estimation& e) { e.setValleyMinSize (-3); }, "S of valleys is -3");
+}
+
+TEST (Feature, MinStrengthRemovesTheWeakerLines)
+{
+  Estimation estimation;
+  estimation.setInputCloud (oracle::sample (oracle::bumpySphere(), 6000));
+  labelsOf (estimation);
+  const std::vector<CrestLine> all = estimation.getLines();
+  const auto [weakest, strongest] = std::minmax_element (
+      all.begin(), all.end(), [] (const CrestLine& a, const CrestLine& b) {
+        return a.strength < b.strength;
+      });
+  ASSERT_NE (weakest, strongest);
+  const double limit = 0.5 * (weakest->strength + strongest->strength);
+  estimation.setMinStrength (limit);
+  labelsOf (estimation);
+  std::vector<std::vector<std::vector<pcl::index_t>>> expected, left;
+  for (const CrestLine& line : all)
+    if (line.strength >= limit)
+      expected.push_back (line.polylines);
+  for (const CrestLine& line : estimation.getLines())
+    left.push_back (line.polylines);
+  EXPECT_EQ (left, expected);
+}
+
+TEST (Feature, RidgeMaximalityLeavesValleysAlone)
+{
+  const auto linesAt = [] (double ridge, double valley) {
+    Estimation estimation;
+    estimation.setPreset (Preset::PAPER);
+    estimation.setInputCloud (ridgeAndValley());
+    estimation.setMaximality (valley);
+    estimation.setRidgeMaximality (ridge);
+    labelsOf (estimation);
+    PerType<std::vector<std::vector<std::vector<pcl::index_t>>>> lines;
+    for (const CrestLine& line : estimation.getLines())
+      lines[line.type].push_back (line.polylines);
+    return lines;
+  };
+  const auto low = linesAt (0.01, 0.01);
+  const auto high = linesAt (5.0, 5.0);
+  ASSERT_NE (low.ridge, high.ridge);
+  ASSERT_NE (low.valley, high.valley);
+  const auto mixed = linesAt (5.0, 0.01);
+  EXPECT_EQ (mixed.ridge, high.ridge);
+  EXPECT_EQ (mixed.valley, low.valley);
 }
