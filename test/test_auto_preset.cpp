@@ -164,7 +164,7 @@ TEST_P (AutoSilence, NothingIsDrawnOfNoise)
   for (const double noise : {0.0, 0.1, 0.5, 1.0})
     for (const unsigned seed : {1U, 2U}) {
       const Extraction run = extract (oracle::withNoise (*exact, noise * h, seed));
-      EXPECT_LT (totalLength (run.lines), 60.0 * h) << noise << " seed " << seed;
+      EXPECT_TRUE (run.lines.empty()) << noise << " seed " << seed;
     }
 }
 
