@@ -9,8 +9,10 @@ int
 main (int argc, char** argv)
 {
   pcl::PointCloud<pcl::PointNormal>::Ptr cloud (new pcl::PointCloud<pcl::PointNormal>);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::cerr << "usage: example_crest_lines CLOUD_WITH_NORMALS.pcd\n";
     return 1;
+  }
 
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   estimation.setInputCloud (cloud);

@@ -354,6 +354,28 @@ TEST_F (IoNormals, CoincidentAndInvalidPointsDoNoHarm)
   EXPECT_GE (agreement (cloud, *read.points), 0.995);
 }
 
+TEST_F (IoNormals, NormalsOfTheFileAreLeftOutOnRequest)
+{
+  const std::string path =
+      directory_.file ("a.xyz", "0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n1 1 0 1 0 0\n");
+  for (const bool always_estimate : {false, true}) {
+    InputCloud cloud;
+    std::string error;
+    ASSERT_TRUE (readCloud (path, 4, 1, cloud, error, always_estimate)) << error;
+    EXPECT_EQ (always_estimate ? NormalSource::ESTIMATED : NormalSource::FILE,
+               cloud.normals);
+    for (const pcl::PointNormal& point : *cloud.points)
+      EXPECT_NEAR (always_estimate ? 1.0F : 0.0F, std::abs (point.normal_z), 1e-5F);
+  }
+}
+
+TEST_F (IoNormals, WhereThereAreNoneTheNotesSaySo)
+{
+  const InputCloud read = estimated (Cloud (20, 1));
+  EXPECT_EQ ("Normals could not be estimated: no three points span a plane.",
+             read.notes.at (0));
+}
+
 TEST_F (IoNormals, UselessNormalsOfTheFileAreReplaced)
 {
   const auto read = [this] (const std::string& text) {

@@ -278,13 +278,20 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
     const Outcome result = run (arguments);
     EXPECT_EQ (0, result.code);
     EXPECT_EQ ("", result.error);
-    for (const char* option :
-         {"-k ",         "-radius ",     "-M ",       "-M_ridge ",    "-M_valley ",
-          "-absolute ",  "-S ",          "-S_ridge ", "-S_valley ",   "-strength ",
-          "-prune ",     "-preset ",     "-angle ",   "-min_length ", "-confidence ",
-          "-positions ", "-boundaries ", "-type ",    "-threads ",    "-lines ",
-          "-stats ",     "-curvatures ", "-search ",  "-quiet ",      "-h ",
-          "(default 24)"})
+    for (const char* option : {"-k ",          "-radius ",
+                               "-M ",          "-M_ridge ",
+                               "-M_valley ",   "-absolute ",
+                               "-S ",          "-S_ridge ",
+                               "-S_valley ",   "-strength ",
+                               "-prune ",      "-preset ",
+                               "-angle ",      "-min_length ",
+                               "-confidence ", "-positions ",
+                               "-boundaries ", "-type ",
+                               "-threads ",    "-lines ",
+                               "-stats ",      "-curvatures ",
+                               "-search ",     "-quiet ",
+                               "-h ",          "-estimate_normals ",
+                               "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
 }

@@ -24,6 +24,7 @@ constexpr char PROGRAM[] = "pcl_crest_line_estimation";
 
 struct Files {
   std::string input;
+  bool estimate_normals = false;
   std::string output;
   std::string lines;
   std::string statistics;
@@ -142,7 +143,8 @@ run (const Files& files, const Parameters& parameters, bool quiet)
       bar.show (stage, done);
       return true;
     };
-    code = estimate (files.input, parameters, tell, progress, result, error);
+    code = estimate (
+        files.input, parameters, files.estimate_normals, tell, progress, result, error);
   }
   if (code != EXIT_DONE)
     return fail (PROGRAM, code, error);
@@ -194,6 +196,7 @@ main (int argc, char** argv)
   bool help = false;
   Options options;
   addEstimationOptions (options, parameters);
+  addNormalsOption (options, files.estimate_normals);
   options.addText (
       "-lines", "FILE", "write the lines as .obj, .ply or .vtk", files.lines);
   options.addText ("-stats",

@@ -63,7 +63,12 @@ load (const WindowOptions& window,
   const std::string& input = window.input;
   progress ("reading " + input, 0.0);
   InputCloud cloud;
-  if (!readCloud (input, parameters.k, parameters.threads, cloud, error))
+  if (!readCloud (input,
+                  parameters.k,
+                  parameters.threads,
+                  cloud,
+                  error,
+                  window.estimate_normals))
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
@@ -104,7 +109,9 @@ savePicture (const Request& request, const Parameters& parameters)
       load (request.window, parameters, quiet, error);
   if (!session)
     return fail (PROGRAM, EXIT_FILE, error);
-  const auto& [input, prefix, size, camera, options] = request.window;
+  const Eigen::Vector2i& size = request.window.size;
+  const std::optional<View>& camera = request.window.camera;
+  const ViewOptions& options = request.window.view;
   SessionView view (options);
   view.show (*session, makeSurfaceSplats (*session->getCloud().points));
   vtkRenderer& renderer = *view.getScene().getRenderer();
@@ -145,6 +152,7 @@ main (int argc, char** argv)
   bool help = false;
   Options options;
   addEstimationOptions (options, parameters);
+  addNormalsOption (options, request.window.estimate_normals);
   options.addText ("-screenshot",
                    "FILE.png",
                    "write a picture instead of opening a window",

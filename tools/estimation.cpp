@@ -9,12 +9,18 @@ namespace crest {
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
+          bool estimate_normals,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,
           std::string& error)
 {
-  if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error))
+  if (!readCloud (file,
+                  parameters.k,
+                  parameters.threads,
+                  result.cloud,
+                  error,
+                  estimate_normals))
     return EXIT_FILE;
   tell (result.cloud);
   result.estimation.setInputCloud (result.cloud.points);

@@ -22,6 +22,7 @@ struct Estimate {
 /** \brief Reads a file and computes its labels and lines.
  * \param[in] file the path
  * \param[in] parameters those of the estimation
+ * \param[in] estimate_normals whether to do so even where the file has some
  * \param[in] tell called with what was read, before the computation
  * \param[in] progress told how far the computation is
  * \param[out] result all of it
@@ -31,6 +32,7 @@ struct Estimate {
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
+          bool estimate_normals,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,

@@ -185,6 +185,14 @@ Options::find (const std::string& name)
 }
 
 void
+addNormalsOption (Options& options, bool& estimate_normals)
+{
+  options.addFlag ("-estimate_normals",
+                   "estimate normals, even if the file has some or faces",
+                   estimate_normals);
+}
+
+void
 addEstimationOptions (Options& options, Parameters& parameters)
 {
   options.add ("-preset",

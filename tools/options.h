@@ -88,6 +88,10 @@ private:
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
+/** \brief Adds the option that has normals estimated whatever the file has. */
+void
+addNormalsOption (Options& options, bool& estimate_normals);
+
 /** \brief Takes the arguments of main for a program with these options.
  * \param[in] names of the files that it expects, as in the usage
  * \param[out] files these

@@ -63,6 +63,15 @@ public:
       ask();
   }
 
+  /** \brief Tells that all is done. */
+  void
+  finish ()
+  {
+    done_ = 1.0;
+    ask();
+    check();
+  }
+
   bool
   isCancelled () const
   {

@@ -114,6 +114,8 @@ describe (const Orientation& orientation, std::size_t k)
       "Normals were estimated from " + std::to_string (k) + " neighbours";
   if (orientation.single_view)
     return note + " and turned toward the viewpoint, which all points are seen from.";
+  if (orientation.outward + orientation.toward_viewpoint + orientation.upward == 0)
+    return "Normals could not be estimated: no three points span a plane.";
   note += " and made consistent over each connected part.";
   const auto add = [&note] (std::size_t parts, const char* side) {
     if (parts != 0)
@@ -194,7 +196,8 @@ readCloud (const std::string& file,
            int k,
            unsigned threads,
            InputCloud& cloud,
-           std::string& error)
+           std::string& error,
+           bool always_estimate)
 {
   const QuietConsole quiet;
   try {
@@ -206,6 +209,10 @@ readCloud (const std::string& file,
     FileContent content = readContent (file);
     watch.stageDone ("reading");
     notePositions (content);
+    if (always_estimate) {
+      content.has_normals = false;
+      content.faces.ends.clear();
+    }
     const NormalSource source = provideNormals (content, k, threads);
     content.points->is_dense =
         std::all_of (content.points->begin(),

@@ -209,8 +209,8 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
     points = own_points = std::make_shared<crest::OrientedPoints> (
         crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
   if (points->size() == 0 && !surface_->empty())
-    PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal: "
-              "estimate normals first, as pcl::NormalEstimation does.\n",
+    PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal, so "
+              "that there are no crests. pcl::NormalEstimation estimates normals.\n",
               getClassName().c_str());
   pcl::Indices located;
   if (!isInputSurface() && !locateInput (*points, located))
@@ -279,6 +279,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
   if (!crests.positions.empty())
     result_.line_cloud =
         crest::cloudOfLines (*surface_, *points, result_.lines, crests.positions);
+  progress.finish();
   return true;
 }
 

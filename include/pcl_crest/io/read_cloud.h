@@ -46,16 +46,18 @@ nameOf (NormalSource source);
  * notes.
  *
  * Estimated normals have no side of their own, but ridges and valleys swap with it. In
- * an organized PCD file, the image of one sensor, it is that of the viewpoint. Else it
- * is made the same over each connected part (Hoppe et al. 1992): outward where the part
- * is closed; else toward the viewpoint of a PCD file, if most of the part faces it or
- * most faces away; else upward, to +z. The notes tell which.
+ * a PCD file whose points can all be seen from its viewpoint it is that of the
+ * viewpoint. Else it is made the same over each connected part (Hoppe et al. 1992):
+ * outward where the part is closed; else toward the viewpoint, if most of the part
+ * faces it or most faces away; else upward, to +z. The notes tell which.
  *
  * \param[in] file the path
  * \param[in] k neighbours for the estimation of normals, where it is needed
  * \param[in] threads 0 for all processors
  * \param[out] cloud what was read; untouched on failure
  * \param[out] error on failure what is wrong, naming the file and what would be right
+ * \param[in] always_estimate whether to estimate normals even where the file has some,
+ * or faces
  * \return whether the cloud was read
  */
 bool
@@ -63,7 +65,8 @@ readCloud (const std::string& file,
            int k,
            unsigned threads,
            InputCloud& cloud,
-           std::string& error);
+           std::string& error,
+           bool always_estimate = false);
 
 /** \brief Whether there is a file that can be opened, found out without reading it.
  * \param[in] file the path
