@@ -8,7 +8,7 @@ from pathlib import Path
 from accuracy_pictures import contact_sheets, plot_f1, surface_sheet
 from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, run, table
 
-# What issue and method aim at: precision, recall, error in spacings.
+# What the method aims at: precision, recall, error in spacings.
 GOALS = {0: (.98, .98, .15), .05: (.97, .95, .30), .2: (.95, .93, .40), .5: (.93, .85, .55), 1: (.85, .70, .75)}
 SHARP_GOALS = {0: (.97, .98, .15), .05: (.97, .98, .15), .2: (.95, .95, None)}
 CURVATURE_GOAL = .15
