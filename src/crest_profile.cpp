@@ -24,7 +24,7 @@ struct Scale {
   int nodes;
 };
 constexpr std::array<Scale, 7> SCALES{
-    {{0, 28}, {1, 28}, {1, 44}, {1, 70}, {2, 28}, {2, 44}, {2, 70}}};
+    {{0, FINEST_SCALE_NODES}, {1, 28}, {1, 44}, {1, 70}, {2, 28}, {2, 44}, {2, 70}}};
 constexpr int COARSEST_LEVEL = SCALES.back().level;
 
 /** Along the crest the elongated window is longer than it is wide by this. */

@@ -123,9 +123,9 @@ explainInvalid (const Parameters& p)
         "the least length of a line", p.min_length, "finite and not negative");
   if (!(p.confidence >= 0.0 && std::isfinite (p.confidence)))
     return complain ("the confidence", p.confidence, "finite and not negative");
-  // Far above any machine; OpenMP may end the process where it cannot have its threads.
-  if (p.threads > 1024)
-    return complain ("the number of threads", p.threads, "at most 1024");
+  if (p.threads > MOST_THREADS)
+    return complain (
+        "the number of threads", p.threads, "at most " + std::to_string (MOST_THREADS));
   if (p.prune < 0)
     return complain ("the largest branch to prune", p.prune, "not negative");
   if (!p.wanted.ridge && !p.wanted.valley)

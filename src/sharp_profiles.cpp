@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -40,7 +39,6 @@ CrestProfile
 profileOf (const ScaleFit& fit)
 {
   CrestProfile profile;
-  profile.foot = std::numeric_limits<float>::infinity();
   if (!fit.valid)
     return profile;
   profile.curvature = {
@@ -66,7 +64,6 @@ profileSharpCrests (const OrientedPoints& points,
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (!profiles[i].curvature.valid)
       needed[i] = 1;
-  constexpr int FINEST_SCALE_NODES = 28;
   const std::vector<ScaleFit> fits =
       fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, workers);
   for (std::size_t i = 0; i < profiles.size(); ++i)

@@ -12,11 +12,6 @@ namespace crest {
 
 namespace {
 
-/** \brief More threads than any machine has; so many more that making them fails, which
- * OpenMP ends the program for, are a typing error.
- */
-constexpr unsigned MOST_THREADS = 1024;
-
 template <typename T>
 std::string
 takeNumber (const std::string& value, T& number)
@@ -288,15 +283,10 @@ addEstimationOptions (Options& options, Parameters& parameters)
                });
   options.addFlag (
       "-boundaries", "label the points where the surface ends", parameters.boundaries);
-  options.add ("-threads",
-               "N",
-               withDefault ("threads; 0 takes all processors", parameters.threads),
-               [&parameters] (const std::string& value) {
-                 std::string wanted = takeNumber (value, parameters.threads);
-                 if (wanted.empty() && parameters.threads > MOST_THREADS)
-                   wanted = "at most " + std::to_string (MOST_THREADS);
-                 return wanted;
-               });
+  options.addNumber (
+      "-threads",
+      withDefault ("threads; 0 takes all processors", parameters.threads),
+      parameters.threads);
 }
 
 std::string

@@ -10,6 +10,9 @@
 namespace pcl {
 namespace crest {
 
+/** The nodes of a fit at the finest scale. */
+constexpr int FINEST_SCALE_NODES = 28;
+
 /** \brief The curvature profile of a sample: how k1 runs along t1, at the smallest
  * scale at which it is significantly not constant. Thresholds that users set come after
  * it.

@@ -50,6 +50,10 @@ enum class Positions : std::uint8_t {
  * more than a thousand for eight places are a mistake, and take hours. */
 constexpr int MOST_NEIGHBORS = 1000;
 
+/** More threads than any machine has: OpenMP may end the process where it cannot have
+ * its threads. */
+constexpr unsigned MOST_THREADS = 1024;
+
 /** \brief The parameters of the crest line extraction. The Feature's setters and the
  * tools' options fill this struct; no default is stated anywhere else.
  */
