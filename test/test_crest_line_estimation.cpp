@@ -560,13 +560,16 @@ private:
   Exception exception_;
 };
 
-/** \brief Keeps a KdTree from taking any cloud. */
-class ThrowingRepresentation : public pcl::PointRepresentation<pcl::PointNormal> {
+/** \brief Takes no cloud. */
+class UnwillingSearch : public pcl::search::BruteForce<pcl::PointNormal> {
 public:
-  ThrowingRepresentation() { nr_dimensions_ = 3; }
+  using Base = pcl::search::BruteForce<pcl::PointNormal>;
+  // Not the same in all versions of PCL.
+  using Taken = decltype (std::declval<Base&>().setInputCloud (Cloud::ConstPtr(),
+                                                               pcl::IndicesConstPtr()));
 
-  void
-  copyToFloatArray (const pcl::PointNormal&, float*) const override
+  Taken
+  setInputCloud (const Cloud::ConstPtr&, const pcl::IndicesConstPtr&) override
   {
     throw std::runtime_error ("out of luck");
   }
@@ -581,9 +584,7 @@ TEST (Feature, SearchMethodThatThrows)
     estimation.setSearchMethod (pcl::make_shared<ThrowingSearch<std::runtime_error>> (
         std::runtime_error ("out of luck")));
     expectRefused (estimation, "The search method failed: out of luck");
-    const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointNormal>>();
-    tree->setPointRepresentation (pcl::make_shared<ThrowingRepresentation>());
-    estimation.setSearchMethod (tree);
+    estimation.setSearchMethod (pcl::make_shared<UnwillingSearch>());
     expectRefused (estimation, "The search method failed: out of luck");
   }
   estimation.setSearchMethod (nullptr);
