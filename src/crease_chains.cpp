@@ -14,16 +14,6 @@ namespace crest {
 
 namespace {
 
-std::vector<Eigen::Vector3d>
-feet (const std::vector<CreaseNode>& nodes)
-{
-  std::vector<Eigen::Vector3d> places;
-  places.reserve (nodes.size());
-  for (const CreaseNode& node : nodes)
-    places.push_back (node.foot);
-  return places;
-}
-
 /** \brief The way from one place to another, along a direction and across it. */
 struct Way {
   double along;

@@ -22,6 +22,17 @@ struct CreaseNode {
   double spacing;
 };
 
+/** \brief Where nodes stand, as PlaceSearch takes it. */
+inline std::vector<Eigen::Vector3d>
+feet (const std::vector<CreaseNode>& nodes)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve (nodes.size());
+  for (const CreaseNode& node : nodes)
+    places.push_back (node.foot);
+  return places;
+}
+
 /** \brief Nodes in chains: next[0] against the direction of a node, next[1] along it;
  * NO_NODE at ends.
  */

@@ -174,10 +174,7 @@ private:
   void
   bridgeToLines (CreaseJoins& joins) const
   {
-    std::vector<Vector3d> places;
-    for (const CreaseNode& node : chains_.nodes)
-      places.push_back (node.foot);
-    const PlaceSearch search (points_, places);
+    const PlaceSearch search (points_, feet (chains_.nodes));
     std::vector<int> around;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       if (state_[i] != FREE)

@@ -100,9 +100,7 @@ TEST (CrestProminence, OfAWideFitIsNothingWhereDataEndBesideIt)
   // Over more than a radian, once far from where data end and once beside.
   std::vector<float> curvatures (21, .05F);
   curvatures[2] = curvatures[10] = .4F;
-  Row row (curvatures);
-  for (CrestProfile& profile : row.profiles)
-    profile.radius = 2.7F;
+  const Row row (curvatures);
   EXPECT_FLOAT_EQ (row.at (10), 1.0F - .05F / .4F);
   EXPECT_EQ (row.at (2), 0.0F);
 }

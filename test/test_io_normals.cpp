@@ -153,6 +153,19 @@ protected:
     EXPECT_EQ (NormalSource::ESTIMATED, read.normals);
     return read;
   }
+
+  /** \brief The same of a PCD file, with the viewpoint of the cloud. */
+  InputCloud
+  estimatedOfPcd (const pcl::PointCloud<pcl::PointXYZ>& cloud) const
+  {
+    const std::string path = directory_.file ("a.pcd");
+    pcl::PCDWriter().writeBinary (path, cloud);
+    InputCloud read;
+    std::string error;
+    EXPECT_TRUE (readCloud (path, 16, 2, read, error)) << error;
+    EXPECT_EQ (NormalSource::ESTIMATED, read.normals);
+    return read;
+  }
 };
 
 TEST_F (IoNormals, OfFacesAreWeightedByArea)
@@ -252,10 +265,7 @@ TEST_F (IoNormals, OpenSurfacesLookUpOrToTheViewpoint)
   pcl::PointCloud<pcl::PointXYZ> seen_from_below;
   pcl::copyPointCloud (up, seen_from_below);
   seen_from_below.sensor_origin_ = Eigen::Vector4f (1, 1, -10, 0);
-  pcl::PCDWriter().writeBinary (directory_.file ("a.pcd"), seen_from_below);
-  InputCloud read;
-  std::string error;
-  ASSERT_TRUE (readCloud (directory_.file ("a.pcd"), 16, 2, read, error)) << error;
+  const InputCloud read = estimatedOfPcd (seen_from_below);
   EXPECT_GE (agreement (heightField (-1.0), *read.points), 0.995);
   EXPECT_NE (std::string::npos, read.notes.at (0).find ("toward the viewpoint"));
 }
@@ -283,10 +293,7 @@ TEST_F (IoNormals, ScansLookToTheirSensorEverywhere)
       const Eigen::Vector3f p = (t * ray).cast<float>();
       scan.push_back ({p.x(), p.y(), p.z()});
     }
-  pcl::PCDWriter().writeBinary (directory_.file ("scan.pcd"), scan);
-  InputCloud read;
-  std::string error;
-  ASSERT_TRUE (readCloud (directory_.file ("scan.pcd"), 16, 2, read, error)) << error;
+  const InputCloud read = estimatedOfPcd (scan);
   const auto faces = [] (const pcl::PointNormal& p) {
     return p.getNormalVector3fMap().dot (p.getVector3fMap()) < 0.0F;
   };
@@ -304,11 +311,7 @@ TEST_F (IoNormals, ModelsLookOutwardWhereverTheViewpointIs)
     pcl::PointCloud<pcl::PointXYZ> model;
     pcl::copyPointCloud (cloud, model);
     model.sensor_origin_ = Eigen::Vector4f (0, 0, z, 0);
-    pcl::PCDWriter().writeBinary (directory_.file ("model.pcd"), model);
-    InputCloud read;
-    std::string error;
-    ASSERT_TRUE (readCloud (directory_.file ("model.pcd"), 16, 2, read, error))
-        << error;
+    const InputCloud read = estimatedOfPcd (model);
     EXPECT_GE (agreement (cloud, *read.points), 0.995) << z;
     EXPECT_NE (std::string::npos, read.notes.at (0).find ("closed: outward")) << z;
   }
@@ -327,10 +330,7 @@ TEST_F (IoNormals, OrganizedCloudsLookToTheirSensor)
     }
   image.at (7, 7).x = std::numeric_limits<float>::quiet_NaN();
   image.is_dense = false;
-  pcl::PCDWriter().writeBinary (directory_.file ("image.pcd"), image);
-  InputCloud read;
-  std::string error;
-  ASSERT_TRUE (readCloud (directory_.file ("image.pcd"), 16, 2, read, error)) << error;
+  const InputCloud read = estimatedOfPcd (image);
   EXPECT_EQ (60U, read.points->width);
   for (const pcl::PointNormal& point : *read.points)
     EXPECT_FALSE (point.getNormalVector3fMap().dot (point.getVector3fMap()) > 0.0F);
