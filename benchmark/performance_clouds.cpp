@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "performance_clouds.h"
 
-#include <pcl_crest/io/parse_number.h>
 #include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/parameters.h>
+
+#include "io/parse_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,15 +2,15 @@
 #include "performance_work.h"
 
 #include <pcl_crest/crest_line_estimation.h>
-#include <pcl_crest/curvature.h>
-#include <pcl_crest/neighbor_search.h>
-#include <pcl_crest/search/leaf_search.h>
 
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/features/principal_curvatures.h>
 #include <pcl/search/kdtree.h>
 
+#include "curvature/quadric.h"
 #include "peak_memory.h"
+#include "search/leaf_search.h"
+#include "surface/neighbor_search.h"
 #include <benchmark/benchmark.h>
 #include <flann/flann.hpp>
 #include <nanoflann.hpp>

@@ -2,7 +2,7 @@
 // One run of the Feature.
 #pragma once
 
-#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/crest_line.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

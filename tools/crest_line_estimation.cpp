@@ -2,12 +2,13 @@
 // pcl_crest_line_estimation: labels the crest points of a file and writes its crest
 // lines. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
 // written, or there is not enough memory for it.
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/write_labels.h>
 #include <pcl_crest/io/write_lines.h>
 #include <pcl_crest/io/write_statistics.h>
 
+#include "base/stopwatch.h"
 #include "estimation.h"
+#include "io/output_file.h"
 #include "options.h"
 #include "progress_bar.h"
 

@@ -4,7 +4,6 @@
 
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/read_cloud.h>
-#include <pcl_crest/surface_analysis.h>
 
 namespace pcl {
 namespace crest {
@@ -38,15 +37,10 @@ public:
   {
     return cloud_;
   }
-  const SurfaceShape&
-  getShape () const
+  const SurfaceAnalysis&
+  getAnalysis () const
   {
-    return *estimation_.getAnalysis()->shape;
-  }
-  const OrientedPoints&
-  getPoints () const
-  {
-    return *estimation_.getAnalysis()->points;
+    return *estimation_.getAnalysis();
   }
   Parameters
   getParameters () const

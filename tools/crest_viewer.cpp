@@ -2,10 +2,10 @@
 // pcl_crest_viewer: shows the crest lines of a file over its points, in a window or as
 // a picture. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
 // written, there is not enough memory for it, or no display.
-#include <pcl_crest/io/output_file.h>
-#include <pcl_crest/io/parse_number.h>
 #include <pcl_crest/visualization/picture.h>
 
+#include "io/output_file.h"
+#include "io/parse_number.h"
 #include "options.h"
 #include "program.h"
 #include "viewer_window.h"
@@ -90,10 +90,10 @@ load (const WindowOptions& window,
     error = input + ": the crest lines could not be computed";
     return nullptr;
   }
-  const std::vector<PrincipalCurvature>& curvature = session->getShape().curvature;
-  if (std::any_of (curvature.begin(),
-                   curvature.end(),
-                   [] (const PrincipalCurvature& c) { return c.valid; }))
+  const pcl::PointCloud<pcl::Label>& labels = session->getLabels();
+  if (std::any_of (labels.begin(), labels.end(), [] (const pcl::Label& l) {
+        return l.label != LABEL_INVALID;
+      }))
     return session;
   error = input + ": there is nothing to show, as no point is finite, has a normal and "
                   "neighbors enough";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_session.h"
 
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/write_labels.h>
 #include <pcl_crest/io/write_lines.h>
 #include <pcl_crest/io/write_statistics.h>
 
 #include "command_line.h"
+#include "io/output_file.h"
 
 namespace pcl {
 namespace crest {

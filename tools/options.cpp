@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include <pcl_crest/io/parse_number.h>
+#include "io/parse_number.h"
 
 #include <algorithm>
 #include <sstream>

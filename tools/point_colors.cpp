@@ -79,11 +79,13 @@ colorPoints (const CrestSession& session, ColorMode mode)
   }
   if (mode == ColorMode::BOUNDARY) {
     result.title = "boundary";
-    for (const index_t point : session.getPoints().packed_index)
-      result.colors.push_back (point != OrientedPoints::INVALID &&
-                                       session.getShape().graph.boundary[point] != 0
+    const SurfaceAnalysis& analysis = session.getAnalysis();
+    for (std::size_t i = 0; i < session.getLabels().size(); ++i) {
+      const index_t sample = analysis.sampleOf (static_cast<index_t> (i));
+      result.colors.push_back (sample >= 0 && analysis.sample (sample).boundary
                                    ? colorOfLabel (LABEL_BOUNDARY)
                                    : GREY);
+    }
     return result;
   }
   std::vector<float> values;

@@ -79,9 +79,10 @@ thresholdsOf (const CrestSession& session)
   // M = 1 in the unit that it is given in.
   Parameters one;
   one.maximality = {1.0, 1.0};
-  const double unit = parameters.absolute_maximality
-                          ? absoluteMaximality (session.getPoints(), one).ridge
-                          : 1.0;
+  const double unit =
+      parameters.absolute_maximality
+          ? absoluteMaximality (one, session.getStatistics().extent).ridge
+          : 1.0;
   std::vector<Threshold> thresholds;
   if (preset == Preset::PAPER)
     thresholds = {maximality ("M of ridges", CrestType::RIDGE, unit),

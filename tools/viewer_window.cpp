@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_window.h"
 
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/visualization/picture.h>
 
 #include <pcl/console/print.h>
@@ -10,6 +9,7 @@
 #include <vtkTextProperty.h>
 
 #include "export_session.h"
+#include "io/output_file.h"
 
 #include <algorithm>
 #include <chrono>

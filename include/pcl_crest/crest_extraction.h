@@ -1,103 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paper, section 4: the overview, that is the stages in their order.
+// The whole method over plain arrays, for those who have no clouds of PCL.
 #pragma once
 
-#include <pcl_crest/crease_lines.h>
-#include <pcl_crest/crest_lines.h>
-#include <pcl_crest/line_smoothing.h>
-#include <pcl_crest/stopwatch.h>
+#include <pcl_crest/crest_line.h>
+#include <pcl_crest/input.h>
+#include <pcl_crest/parameters.h>
+#include <pcl_crest/progress.h>
+#include <pcl_crest/surface_analysis.h>
 
 namespace pcl {
 namespace crest {
 
-/** \brief What the first stages find out about the surface. It depends on none of
- * the thresholds for crest points and lines, so these can change without it.
- */
-struct SurfaceShape {
-  SurfaceGraph graph;
-  std::vector<PrincipalCurvature> curvature;
-  /** with the preset PAPER how far k1 is a maximum, else empty */
-  std::vector<double> maximality;
-  /** with the preset AUTO what the curvature was taken from, else empty */
-  std::vector<CrestProfile> profiles;
-  /** with the preset AUTO the sharp edges */
-  SharpLines sharp_lines;
+/** \brief What to extract crest lines from, and how. */
+struct ExtractionRequest {
+  /** has to stay as it is until the extraction ends */
+  PointView cloud{nullptr, nullptr, 0, 0};
+  Parameters parameters;
+  /** finds candidate neighbours in the cloud, k of them or those within the radius, in
+   * the place of all other searches; empty for none */
+  NeighborSearch search;
+  /** makes the searches that Parameters::batched_search is not for; where it is empty
+   * the batched search takes their place */
+  SearchMaker make_search;
+  ProgressCallback progress;
+  /** what an extraction from the same cloud found out: only what other thresholds
+   * change is repeated; null to start anew. Searches are not compared */
+  std::shared_ptr<const SurfaceAnalysis> analysis;
+  /** whether to keep what is found out, some 120 bytes a point with the preset PAPER
+   * and 200 with AUTO */
+  bool keep_analysis = false;
+};
+
+/** \brief What an extraction found out beside labels and lines. */
+struct ExtractionStatistics {
+  /** mean over the samples of the mean distance to their 6 nearest neighbours */
+  double mean_spacing = 0.0;
+  /** largest side of the bounding box of the valid points */
+  double extent = 0.0;
+  /** the chart of section 4.7: how many lines of each size before S removed some */
+  PerType<LineSizes> line_sizes;
   std::vector<StageTime> times;
 };
 
-/** \brief The crests of a surface, all indices packed. */
-struct Crests {
-  /** section 4.3; of both types, whichever are wanted */
-  std::vector<CrestType> points;
-  /** the lines that are kept: ridges first, of each type the largest first */
+/** \brief Where a line runs by a point. */
+struct LinePlace {
+  index_t point;
+  Eigen::Vector3f position;
+};
+
+/** \brief The crests of a cloud. Labels and curvatures are those of its samples: the
+ * finite points with a normal, one for all that are coincident.
+ */
+struct Extraction {
+  /** for each point of the cloud its sample, or -1 if it is invalid */
+  std::shared_ptr<const std::vector<index_t>> sample_of;
+  std::vector<Label> labels;
+  /** the same array as before where an analysis was taken over */
+  std::shared_ptr<const std::vector<PrincipalCurvature>> curvatures;
+  /** by indices into the cloud: ridges first, of each type the largest first */
   std::vector<CrestLine> lines;
-  /** where each of the lines that traceCrests found runs; empty if through the points
-   * themselves
-   */
-  std::vector<LinePlaces> places;
-  /** for each packed point where the lines that keepLines kept run through it; empty if
-   * through the points themselves
-   */
-  std::vector<Eigen::Vector3f> positions;
-  /** the distribution before small lines were removed (4.7), for the types wanted */
-  PerType<LineSizes> sizes;
-  std::vector<StageTime> times;
+  /** with Positions::CREST of the preset AUTO where the lines run by each of their
+   * points; else empty, as they run through these */
+  std::vector<LinePlace> places;
+  ExtractionStatistics statistics;
+  /** null unless it was to be kept */
+  std::shared_ptr<const SurfaceAnalysis> analysis;
+
+  /** \brief The label of a point of the cloud, or of -1, which is none. */
+  Label
+  labelOf (index_t point) const
+  {
+    const index_t sample = sampleAt (point);
+    return sample < 0 ? LABEL_INVALID : labels[static_cast<std::size_t> (sample)];
+  }
+
+  /** \brief The curvature of a point of the cloud, or of -1; null where it has none. */
+  const PrincipalCurvature*
+  curvatureOf (index_t point) const
+  {
+    const index_t sample = sampleAt (point);
+    if (sample < 0)
+      return nullptr;
+    const PrincipalCurvature& found = (*curvatures)[static_cast<std::size_t> (sample)];
+    return found.valid ? &found : nullptr;
+  }
+
+private:
+  index_t
+  sampleAt (index_t point) const
+  {
+    return point < 0 ? -1 : (*sample_of)[static_cast<std::size_t> (point)];
+  }
 };
 
-/** \brief Sections 4.1 and 4.2, and of 4.3 what M is held against, with the search that
- * the parameters name.
- * \param[in] progress to tell how far it is, if not null; so in the others
+/** \brief Extracts crest lines: all of the paper's section 4, as the preset has it.
+ *
+ * The result depends neither on the order of the points, but for theirs in the output,
+ * nor on the number of threads.
+ *
+ * \throw std::invalid_argument where a parameter, the cloud or the analysis is not
+ * right, std::runtime_error where the search is not, or the radius holds more than
+ * MOST_NEIGHBORS, both in words for the user; Cancelled where the callback says so; and
+ * std::bad_alloc
  */
-SurfaceShape
-analyzeSurface (const OrientedPoints& points,
-                const Parameters& parameters,
-                Progress* progress = nullptr);
+PCL_CREST_EXPORT Extraction
+extractCrests (const ExtractionRequest& request);
 
-/** \brief The same with any search in the place of those of the parameters. */
-SurfaceShape
-analyzeSurface (const OrientedPoints& points,
-                const NeighborSearch& search,
-                const Parameters& parameters,
-                Progress* progress = nullptr);
-
-/** \brief Section 4.3. Behind it, the preset PAPER needs neither the normals of the
- * points nor the maximality of the shape any more.
+/** \brief Finds points of another cloud in a cloud, by their exact positions.
+ * \param[in] cloud, indices the points to find
+ * \param[in] surface where to find them
+ * \param[out] found for each of the indices the point of the surface that is there, of
+ * several one with a normal, or -1 where the position is not finite
+ *
+ * \return the first of the indices whose finite position no point of the surface has,
+ * or -1 if there is none
  */
-std::vector<CrestType>
-findCrestPoints (const OrientedPoints& points,
-                 const SurfaceShape& shape,
-                 const Parameters& parameters,
-                 Progress* progress = nullptr);
-
-/** \brief Sections 4.4 to 4.6, and all lines of 4.7, whose length and strength are not
- * measured yet. min_size, min_strength and positions are not used.
- */
-Crests
-traceCrests (const OrientedPoints& points,
-             const SurfaceShape& shape,
-             std::vector<CrestType> crest_points,
-             const Parameters& parameters,
-             Progress* progress = nullptr);
-
-/** \brief The rest of section 4.7: keeps the lines of the wanted types that have
- * min_size points, measures them, and removes those below min_strength.
- * \param[in] traced by traceCrests with these parameters but for the three above, of
- * at least the wanted types
- */
-Crests
-keepLines (const OrientedPoints& points,
-           const SurfaceShape& shape,
-           const Crests& traced,
-           const Parameters& parameters);
-
-/** \brief The label of each packed point. A point joined by growth that lies on lines
- * of both types belongs to the larger one, of equals to the longer.
- * \param[in] parameters wanted, boundaries and threads are used
- */
-std::vector<Label>
-labelPoints (const SurfaceShape& shape,
-             const Crests& crests,
-             const Parameters& parameters);
+PCL_CREST_EXPORT index_t
+locatePoints (const PointView& cloud,
+              const std::vector<index_t>& indices,
+              const PointView& surface,
+              std::vector<index_t>& found);
 
 } // namespace crest
 } // namespace pcl

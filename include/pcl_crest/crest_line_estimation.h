@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/surface_analysis.h>
+#include <pcl_crest/crest_extraction.h>
 
 #include <pcl/features/feature.h>
 #include <pcl/point_types.h>
@@ -53,7 +53,7 @@ namespace pcl {
  * \ingroup features
  */
 template <typename PointInT, typename PointOutT = pcl::Label>
-class CrestLineEstimation : public Feature<PointInT, PointOutT> {
+class PCL_CREST_EXPORT CrestLineEstimation : public Feature<PointInT, PointOutT> {
   static_assert (pcl::traits::has_normal<PointInT>::value,
                  "the input points need normals, as in pcl::PointNormal");
   static_assert (pcl::traits::has_label<PointOutT>::value,
@@ -318,15 +318,7 @@ public:
   }
 
   /** \brief What the last compute found out beside its outputs. */
-  struct Statistics {
-    /** mean over the samples of the mean distance to their 6 nearest neighbours */
-    double mean_spacing = 0.0;
-    /** largest side of the bounding box of the valid points */
-    double extent = 0.0;
-    /** the chart of section 4.7: how many lines of each size before S removed some */
-    crest::PerType<crest::LineSizes> line_sizes;
-    std::vector<crest::StageTime> times;
-  };
+  using Statistics = crest::ExtractionStatistics;
   const Statistics&
   getStatistics () const
   {
@@ -373,25 +365,26 @@ private:
     return surface_ == input_ && fake_indices_;
   }
 
-  /** \brief The packed points of the indices; false, with an error, if one is not a
-   * point of the surface. */
+  /** \brief The points of the surface that the indices name; false, with an error, if
+   * one is none. */
   bool
-  locateInput (const crest::OrientedPoints& points, pcl::Indices& packed) const;
+  locateInput (pcl::Indices& located) const;
 
-  /** \brief Sections 4.1 and 4.2; false, with an error, if the search method fails. */
-  bool
-  analyze (const crest::OrientedPoints& points,
-           crest::Progress& progress,
-           crest::SurfaceShape& shape) const;
+  /** \brief The user's search method as the stages call it; empty if there is none. */
+  crest::NeighborSearch
+  givenSearch () const;
 
   /** \brief All of the method; false, with an error, where it cannot be done. */
   bool
-  extract (crest::Progress& progress, PointCloudOut& output);
+  extract (PointCloudOut& output);
 
-  void
-  writeLabels (const pcl::Indices& packed_indices,
-               const std::vector<crest::Label>& labels,
-               PointCloudOut& output) const;
+  /** \brief The curvatures of the indices, laid out as the labels are.
+   * \param[in] located from locateInput, where the indices are not the surface
+   */
+  pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr
+  curvaturesOf (const crest::Extraction& found,
+                const pcl::Indices& located,
+                const PointCloudOut& layout);
 
   /** \brief Whether the user's search method can take the surface; gives it over. */
   bool
@@ -401,14 +394,16 @@ private:
   static crest::PointView
   viewOf (const PointCloudIn& cloud);
 
-  std::uint64_t
-  fingerprint (const PointCloudIn& cloud) const;
-
   crest::Parameters parameters_;
   crest::ProgressCallback progress_callback_;
   bool keep_analysis_ = false;
   std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
   Result result_;
+  /** of all points of a surface, as long as what they were made of is kept */
+  struct {
+    std::weak_ptr<const std::vector<crest::PrincipalCurvature>> source;
+    pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr cloud;
+  } known_curvatures_;
 };
 
 } // namespace pcl

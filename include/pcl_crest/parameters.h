@@ -2,10 +2,12 @@
 // All parameters of the method, with their defaults and units, in one place.
 #pragma once
 
+#include <pcl_crest/export.h>
 #include <pcl_crest/types.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace crest {
@@ -129,14 +131,41 @@ struct Parameters {
   unsigned threads = 0;
 };
 
+/** \brief The threshold M in 1 / (the cloud's unit)^2.
+ *
+ * M compares squared curvatures, so that a bare number means something only with its
+ * unit of length. The paper names none; its figure 8 comes out with the cloud scaled to
+ * a largest bounding box side of 10, which is therefore the unit unless
+ * absolute_maximality: the labels are then the same in metres and in millimetres.
+ *
+ * \param[in] parameters maximality and absolute_maximality are used
+ * \param[in] extent largest side of the bounding box of the cloud's valid points
+ */
+PCL_CREST_EXPORT PerType<double>
+absoluteMaximality (const Parameters& parameters, double extent);
+
+/** \brief The names of the presets, as options and statistics have them; the default
+ * first.
+ */
+PCL_CREST_EXPORT std::vector<std::string>
+presetNames ();
+
+/** \brief The name of a preset, one of presetNames. */
+PCL_CREST_EXPORT std::string
+nameOf (Preset preset);
+
+/** \brief The preset of a name; none if it is none of presetNames. */
+PCL_CREST_EXPORT std::optional<Preset>
+presetNamed (const std::string& name);
+
 /** \brief S for one type, as it is set or as the preset has it. */
-int
+PCL_CREST_EXPORT int
 minSize (const Parameters& parameters, CrestType type);
 
 /** \brief What is wrong with the parameters, in words for the user: the parameter, its
  * value, and what would be right. Empty if all is well.
  */
-std::string
+PCL_CREST_EXPORT std::string
 explainInvalid (const Parameters& parameters);
 
 } // namespace crest

@@ -2,44 +2,70 @@
 // What can be used again when thresholds change.
 #pragma once
 
-#include <pcl_crest/crest_extraction.h>
-
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include <pcl_crest/export.h>
+#include <pcl_crest/principal_curvature.h>
+#include <pcl_crest/types.h>
 
 #include <memory>
 
 namespace pcl {
 namespace crest {
 
-/** \brief What is known of a cloud before thresholds choose among its lines. A value:
- * it never changes, and may be shared.
+/** \brief A point that the stages worked on: finite, with a unit normal, one for all
+ * coincident points of the cloud.
  */
-struct SurfaceAnalysis {
-  /** of the cloud (see fingerprint) */
-  std::uint64_t cloud = 0;
-  std::shared_ptr<const OrientedPoints> points;
-  std::shared_ptr<const SurfaceShape> shape;
-  /** all lines of both types */
-  std::shared_ptr<const Crests> traced;
-  /** those of the cloud's points, in its order; null where it was computed for others
-   */
-  pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr curvatures;
-  /** that it was made with */
-  Parameters parameters;
+struct Sample {
+  /** where it is in the cloud; of coincident points the first */
+  index_t point;
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;
+  /** mean distance to its 6 nearest, in the cloud's unit */
+  float spacing;
+  /** whether the surface ends here (paper, section 4.1) */
+  bool boundary;
+  PrincipalCurvature curvature;
 };
 
-/** \brief The first parameter that the shape of a surface depends on and that differs:
- * its name and both values, in words for the user. Empty if the shape is the same.
+/** \brief What is known of a cloud before thresholds choose among its lines (paper,
+ * sections 4.1 and 4.2), and all lines at some thresholds. A value: it never changes,
+ * and may be shared.
  */
-std::string
-explainOtherShape (const Parameters& made_with, const Parameters& wanted);
+class PCL_CREST_EXPORT SurfaceAnalysis {
+public:
+  struct Contents;
 
-/** \brief Whether, on the same shape, traceCrests gives the same. Lines of one type
- * depend on M of the other, too, as they do not grow over its points.
- */
-bool
-haveSameTrace (const Parameters& a, const Parameters& b);
+  explicit SurfaceAnalysis (std::unique_ptr<const Contents> contents);
+  ~SurfaceAnalysis();
+  SurfaceAnalysis (const SurfaceAnalysis&) = delete;
+  SurfaceAnalysis&
+  operator= (const SurfaceAnalysis&) = delete;
+
+  /** \brief How many samples there are. They are in spatial order, so that every n-th
+   * are spread over the surface.
+   */
+  index_t
+  size () const;
+
+  /** \param[in] i from 0 to size () - 1 */
+  Sample
+  sample (index_t i) const;
+
+  /** \brief The sample of a point of the cloud; -1 for an invalid point.
+   * \param[in] point its index in the cloud
+   */
+  index_t
+  sampleOf (index_t point) const;
+
+  /** \brief For the stages alone. */
+  const Contents&
+  contents () const
+  {
+    return *contents_;
+  }
+
+private:
+  std::unique_ptr<const Contents> contents_;
+};
 
 } // namespace crest
 } // namespace pcl

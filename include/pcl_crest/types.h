@@ -2,15 +2,21 @@
 // The words that all stages share: the two types of crest, the label codes.
 #pragma once
 
-#include <pcl/types.h>
-
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace pcl {
 namespace crest {
 
-using pcl::index_t;
+/** \brief The place of a point in a cloud, as pcl::index_t is unless PCL was built with
+ * larger ones.
+ */
+using index_t = std::int32_t;
+
+/** The most points that an index_t tells apart. */
+constexpr std::size_t MOST_POINTS = std::numeric_limits<index_t>::max();
 
 /** \brief What a crest is (paper, section 3): a ridge where the largest principal
  * curvature is positive (convex seen from the side that the normals point to), a

@@ -7,7 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "text_scanner.h"
+#include "io/text_scanner.h"
+#include "normals/face_normals.h"
 
 #include <array>
 #include <optional>
@@ -16,20 +17,6 @@
 
 namespace pcl {
 namespace crest {
-
-/** \brief Polygons one after the other: the corners of face i are those from ends[i -
- * 1] (0 for the first) to ends[i].
- */
-struct Faces {
-  std::vector<index_t> corners;
-  std::vector<std::size_t> ends;
-
-  void
-  close ()
-  {
-    ends.push_back (corners.size());
-  }
-};
 
 /** \brief What a file holds, before its normals are seen to. */
 struct FileContent {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "load_modules.h"
+#include "io/load_modules.h"
 
-#include "text_scanner.h"
+#include "io/text_scanner.h"
 
 #ifdef PCL_CREST_MODULE_PREFIX
 #include <dlfcn.h>
@@ -53,12 +53,12 @@ loadPcdReader ()
   return reader;
 }
 
-NormalEstimator
-loadNormalEstimator ()
+NormalLibrary
+loadNormalLibrary ()
 {
-  static const auto estimator =
-      load<NormalEstimator> ("pcl_crest_normals", "pcl_crest_estimate_normals");
-  return estimator;
+  static const auto library =
+      load<NormalLibrary> ("pcl_crest_normals", "pcl_crest_normal_library");
+  return library;
 }
 
 #else
@@ -69,10 +69,10 @@ loadPcdReader ()
   return &pcl_crest_read_pcd;
 }
 
-NormalEstimator
-loadNormalEstimator ()
+NormalLibrary
+loadNormalLibrary ()
 {
-  return &pcl_crest_estimate_normals;
+  return &pcl_crest_normal_library;
 }
 
 #endif

@@ -2,22 +2,22 @@
 // Functions of PCL whose libraries are loaded when they are first asked for.
 #pragma once
 
-#include "normals_module.h"
-#include "pcd_module.h"
+#include "io/normals_module.h"
+#include "io/pcd_module.h"
 
 namespace pcl {
 namespace crest {
 
 using PcdReader = decltype (&pcl_crest_read_pcd);
-using NormalEstimator = decltype (&pcl_crest_estimate_normals);
+using NormalLibrary = decltype (&pcl_crest_normal_library);
 
 /** \brief The function of a module that is where this library is; throws a ReadError if
  * it is not there.
  */
 PcdReader
 loadPcdReader ();
-NormalEstimator
-loadNormalEstimator ();
+NormalLibrary
+loadNormalLibrary ();
 
 } // namespace crest
 } // namespace pcl

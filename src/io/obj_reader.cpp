@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wavefront OBJ: v, vn and f; all else that an OBJ may hold is passed over.
-#include "file_content.h"
+#include "io/file_content.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Object File Format of Geomview: [ST][C][N]OFF in text form.
-#include "file_content.h"
+#include "io/file_content.h"
 
 namespace pcl {
 namespace crest {

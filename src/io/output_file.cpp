@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/io/output_file.h>
+#include "io/output_file.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcd_module.h"
+#include "io/pcd_module.h"
 
 #include <pcl/io/pcd_io.h>
 

@@ -4,6 +4,8 @@
 // than most clouds take to compute.
 #pragma once
 
+#include <pcl_crest/export.h>
+
 #include <pcl/PCLPointCloud2.h>
 
 #include <Eigen/Geometry>
@@ -11,7 +13,7 @@
 extern "C" {
 
 /** \brief pcl::PCDReader::read; returns whether the file could be read. */
-bool
+PCL_CREST_EXPORT bool
 pcl_crest_read_pcd (const char* file,
                     pcl::PCLPointCloud2& data,
                     Eigen::Vector4f& origin,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PCD through PCL's reader, once its header is known to be true to the file:
 // PCL makes room for as many points as the header announces.
-#include "file_content.h"
-#include "load_modules.h"
-#include "number_type.h"
+#include "io/file_content.h"
+#include "io/load_modules.h"
+#include "io/number_type.h"
 
 #include <array>
 #include <limits>

@@ -3,8 +3,8 @@
 // that a file may declare is passed over. pcl::PLYReader is not used because it makes
 // room for as many points as the header announces before it looks whether they are
 // there.
-#include "file_content.h"
-#include "number_type.h"
+#include "io/file_content.h"
+#include "io/number_type.h"
 
 #include <array>
 #include <cmath>

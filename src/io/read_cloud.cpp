@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/read_cloud.h>
-#include <pcl_crest/search/point_tree.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 
-#include "mesh_normals.h"
-#include "normal_estimation.h"
+#include "base/stopwatch.h"
+#include "io/file_content.h"
+#include "io/load_modules.h"
+#include "io/output_file.h"
+#include "normals/normal_estimation.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -127,6 +128,24 @@ describe (const Orientation& orientation, std::size_t k)
   return note;
 }
 
+/** \brief Only positions are of interest. */
+PointView
+viewOf (const pcl::PointCloud<pcl::PointNormal>& points)
+{
+  return {&points.points.data()->x,
+          nullptr,
+          sizeof (pcl::PointNormal) / sizeof (float),
+          points.size()};
+}
+
+void
+setNormals (const std::vector<Eigen::Vector3f>& normals,
+            pcl::PointCloud<pcl::PointNormal>& points)
+{
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    points[i].getNormalVector3fMap() = normals[i];
+}
+
 /** \brief Takes the normals from the best source that there is. */
 NormalSource
 provideNormals (FileContent& content, int k, unsigned threads)
@@ -145,7 +164,8 @@ provideNormals (FileContent& content, int k, unsigned threads)
         "The normals of the file are all zero or not finite, and are not used.");
   }
   if (!content.faces.ends.empty()) {
-    const std::size_t with_normal = computeMeshNormals (content);
+    setNormals (faceNormals (viewOf (*content.points), content.faces), *content.points);
+    const std::size_t with_normal = countUsableNormals (*content.points);
     if (with_normal != 0) {
       if (with_normal != size)
         content.notes.push_back (
@@ -155,7 +175,17 @@ provideNormals (FileContent& content, int k, unsigned threads)
     }
     content.notes.push_back ("No face of the file has an area; they are not used.");
   }
-  const Orientation orientation = estimateNormals (content, k, threads);
+  PointLibrary library;
+  loadNormalLibrary() (library);
+  std::vector<Eigen::Vector3f> normals;
+  const Orientation orientation = estimateNormals (viewOf (*content.points),
+                                                   content.viewpoint,
+                                                   content.points->height > 1,
+                                                   library,
+                                                   k,
+                                                   threads,
+                                                   normals);
+  setNormals (normals, *content.points);
   content.notes.push_back (describe (orientation, std::min<std::size_t> (k, size)));
   return NormalSource::ESTIMATED;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // STL, text and binary. It has corners of triangles only: equal ones become one point.
-#include "file_content.h"
-#include "number_type.h"
+#include "io/file_content.h"
+#include "io/number_type.h"
 
 #include <array>
 #include <unordered_map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_scanner.h"
+#include "io/text_scanner.h"
 
 namespace pcl {
 namespace crest {

@@ -3,8 +3,8 @@
 // TRIANGLE_STRIPS and the NORMALS of points; all else is passed over.
 // vtkPolyDataReader is not used because it makes room for whatever sizes a file
 // announces before it looks whether the data are there.
-#include "file_content.h"
-#include "number_type.h"
+#include "io/file_content.h"
+#include "io/number_type.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/write_lines.h>
 
-#include "format_number.h"
+#include "io/format_number.h"
+#include "io/output_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/io/output_file.h>
 #include <pcl_crest/io/write_statistics.h>
 
-#include "../parallel.h"
+#include "base/parallel.h"
+#include "io/output_file.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Text with a point a line: x y z, or x y z nx ny nz.
-#include "file_content.h"
+#include "io/file_content.h"
 
 #include <algorithm>
 #include <cmath>

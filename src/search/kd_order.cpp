@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kd_order.h"
+#include "search/kd_order.h"
 
 #include <algorithm>
 

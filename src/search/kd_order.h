@@ -2,7 +2,7 @@
 // The order of the points in the tree.
 #pragma once
 
-#include "kernels.h"
+#include "search/kernels.h"
 
 #include <cstddef>
 

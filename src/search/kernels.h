@@ -3,8 +3,8 @@
 // fits rank neighbours by them, too. All compute the same floats in the same order.
 #pragma once
 
-#include <pcl_crest/search/point_tree.h>
-#include <pcl_crest/search/simd.h>
+#include "base/simd.h"
+#include "search/point_tree.h"
 
 namespace pcl {
 namespace crest {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernels.h"
+#include "search/kernels.h"
 
 #include <algorithm>
 #include <limits>

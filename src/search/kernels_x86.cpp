@@ -2,7 +2,7 @@
 // The kernels for x86-64. Each function has the instructions that it needs by an
 // attribute: flags for a whole file would reach the inline functions of its headers,
 // which the linker may then take for everywhere.
-#include "kernels.h"
+#include "search/kernels.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 

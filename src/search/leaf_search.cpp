@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/search/leaf_search.h>
+#include "search/leaf_search.h"
 
-#include "kernels.h"
-#include "nearest_first.h"
+#include "search/kernels.h"
+#include "search/nearest_first.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nearest_first.h"
+#include "search/nearest_first.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,7 +2,7 @@
 // The neighbours of a single point, for where no guess of their distance is good.
 #pragma once
 
-#include "kernels.h"
+#include "search/kernels.h"
 
 #include <cstdint>
 #include <vector>

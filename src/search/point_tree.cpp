@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/search/point_tree.h>
+#include "search/point_tree.h"
 
-#include "kd_order.h"
+#include "search/kd_order.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -167,6 +167,16 @@ void
 PointTree::Release::operator() (PointLeaf* leaves) const
 {
   ::operator delete (leaves, std::align_val_t{alignof (PointLeaf)});
+}
+
+std::vector<std::int32_t>
+PointTree::places() const
+{
+  std::vector<std::int32_t> places (size);
+  for (std::size_t place = 0; place < size; ++place)
+    places[index (static_cast<std::int32_t> (place))] =
+        static_cast<std::int32_t> (place);
+  return places;
 }
 
 double

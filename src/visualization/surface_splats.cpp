@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/neighbor_search.h>
 #include <pcl_crest/visualization/surface_splats.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+
+#include "surface/neighbor_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,8 @@ using Neighborhoods = std::vector<std::vector<index_t>>;
 Neighborhoods
 findNeighborhoods (const OrientedPoints& points)
 {
-  const NeighborSearch search = batchedSearch (batchedTree (points, 0), NEIGHBORS + 1);
+  const NeighborSearch search =
+      batchedSearch (treeOver (points.positions, 0), NEIGHBORS + 1);
   Neighborhoods neighborhoods (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     search (static_cast<index_t> (i), neighborhoods[i]);

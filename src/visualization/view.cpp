@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/io/parse_number.h>
 #include <pcl_crest/visualization/view.h>
 
 #include <pcl/common/point_tests.h>
 
 #include <Eigen/Geometry>
+
+#include "io/parse_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crest_truth.h"
 
+#include <pcl_crest/parameters.h>
+
 #include <pcl/search/kdtree.h>
 
 #include <Eigen/Geometry>

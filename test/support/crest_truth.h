@@ -2,7 +2,7 @@
 // The exact crest lines of an analytic surface, and how near a result comes to them.
 #pragma once
 
-#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/crest_line.h>
 
 #include "analytic_surface.h"
 

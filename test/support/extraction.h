@@ -11,21 +11,21 @@
 
 namespace oracle {
 
-struct Extraction {
+struct CrestRun {
   pcl::PointCloud<pcl::Label> labels;
   std::vector<pcl::crest::CrestLine> lines;
   /** the cloud with the points on lines where these run */
   pcl::PointCloud<pcl::PointNormal>::ConstPtr line_cloud;
 };
 
-inline Extraction
+inline CrestRun
 extract (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
          const pcl::crest::Parameters& parameters = {})
 {
   pcl::CrestLineEstimation<pcl::PointNormal> estimation;
   estimation.setInputCloud (cloud);
   estimation.setParameters (parameters);
-  Extraction run;
+  CrestRun run;
   estimation.compute (run.labels);
   run.lines = estimation.getLines();
   run.line_cloud = estimation.getLineCloud();

@@ -2,8 +2,7 @@
 // Fits at a scale of samples of a surface, and what their errors are like.
 #pragma once
 
-#include <pcl_crest/scale_fit.h>
-
+#include "curvature/scale_fit.h"
 #include "surface_stages.h"
 
 #include <algorithm>

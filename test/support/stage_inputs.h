@@ -2,10 +2,10 @@
 // Inputs of single stages, made without PCL's search and without the stages before.
 #pragma once
 
-#include <pcl_crest/surface_graph.h>
-
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include "surface/surface_graph.h"
 
 #include <algorithm>
 #include <numeric>
@@ -35,12 +35,13 @@ pack (const pcl::PointCloud<pcl::PointNormal>& cloud)
 inline pcl::crest::NeighborSearch
 bruteForceSearch (const pcl::crest::OrientedPoints& points, std::size_t k)
 {
-  return [&points, k] (pcl::index_t query, pcl::Indices& found) {
-    std::vector<std::pair<double, pcl::index_t>> all;
+  return [&points, k] (pcl::crest::index_t query,
+                       std::vector<pcl::crest::index_t>& found) {
+    std::vector<std::pair<double, pcl::crest::index_t>> all;
     for (std::size_t i = 0; i < points.size(); ++i)
       all.emplace_back (
           (points.positions[i] - points.positions[query]).cast<double>().squaredNorm(),
-          static_cast<pcl::index_t> (i));
+          static_cast<pcl::crest::index_t> (i));
     std::sort (all.begin(), all.end());
     const double limit =
         all[std::min (k, all.size()) - 1].first * (1.0 + pcl::crest::EQUIDISTANT);
@@ -68,7 +69,7 @@ pointsAt (const std::vector<Eigen::Vector3f>& positions)
 inline pcl::crest::SurfaceGraph
 graphOf (std::size_t size, const std::vector<std::pair<int, int>>& edges)
 {
-  std::vector<std::vector<pcl::index_t>> stars (size);
+  std::vector<std::vector<pcl::crest::index_t>> stars (size);
   for (const auto& [a, b] : edges) {
     stars[a].push_back (b);
     stars[b].push_back (a);

@@ -2,8 +2,7 @@
 // The first stages on samples of a surface.
 #pragma once
 
-#include <pcl_crest/neighbor_search.h>
-
+#include "kd_tree.h"
 #include "stage_inputs.h"
 
 namespace oracle {
@@ -20,7 +19,7 @@ surfaceStages (const pcl::PointCloud<pcl::PointNormal>& cloud)
   SurfaceStages stages;
   stages.points = pack (cloud);
   stages.graph = pcl::crest::buildSurfaceGraph (
-      stages.points, pcl::crest::kdTreeSearch (stages.points, parameters), parameters);
+      stages.points, kdTreeSearch (stages.points, parameters), parameters);
   return stages;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/crest_graph.h>
-
+#include "lines/spanning_forest.h"
 #include "stage_inputs.h"
 
 namespace oracle {

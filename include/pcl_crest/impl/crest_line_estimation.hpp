@@ -2,9 +2,6 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
-#include <pcl_crest/impl/cloud_results.hpp>
-#include <pcl_crest/impl/neighbor_search.hpp>
-#include <pcl_crest/search/point_tree.h>
 
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -12,12 +9,72 @@
 #include <pcl/search/organized.h>
 #include <pcl/conversions.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 
 namespace pcl {
+
+static_assert (std::is_same<index_t, crest::index_t>::value,
+               "PCL has to be built with indices of 32 bits, as it is by default");
+
+namespace crest {
+
+/** \brief The neighbours of a point through any of PCL's searches: k with the point
+ * itself, or all within the radius.
+ *
+ * Points as far away as the k-th are all found, however many: which of them a search
+ * returns depends on its inner order.
+ *
+ * \param[in] search a search whose input cloud is set
+ * \param[in] query the query point
+ * \param[in] k the number of neighbours, where radius is 0
+ * \param[in] radius in the unit of the searched cloud
+ * \param[out] found indices into the input cloud of the search, in no special order
+ */
+template <typename PointT>
+void
+findNeighbors (const pcl::search::Search<PointT>& search,
+               const PointT& query,
+               int k,
+               double radius,
+               pcl::Indices& found)
+{
+  thread_local std::vector<float> distances;
+  thread_local std::vector<float> ranked;
+  if (radius > 0.0) {
+    search.radiusSearch (query, radius, found, distances);
+    return;
+  }
+  search.nearestKSearch (query, k + 1, found, distances);
+  if (found.size() <= static_cast<std::size_t> (k))
+    return;
+  ranked = distances;
+  const auto kth = ranked.begin() + (k - 1);
+  std::nth_element (ranked.begin(), kth, ranked.end());
+  const auto limit = static_cast<float> (*kth * (1.0 + EQUIDISTANT));
+  if (*std::max_element (kth, ranked.end()) <= limit) {
+    // Searches leave out what is at the radius itself, and round on the way there.
+    constexpr double WIDER = 1.0 + 1e-5;
+    const float squared = std::max (limit, std::numeric_limits<float>::min());
+    search.radiusSearch (query, WIDER * std::sqrt (squared), found, distances);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (distances[i] <= limit)
+      found[kept++] = found[i];
+  found.resize (kept);
+}
+
+/** \brief The default: PCL's KdTree, as a SearchMaker. */
+PCL_CREST_EXPORT NeighborSearch
+kdTreeSearch (const std::vector<Eigen::Vector3f>& points, int k, double radius);
+
+} // namespace crest
 
 template <typename PointInT, typename PointOutT>
 bool
@@ -51,10 +108,6 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   if (tree_ && parameters_.batched_search)
     return refuse ("Both a search method and the batched search are set: call "
                    "setSearchMethod (nullptr) or setUseBatchedSearch (false)");
-  const std::string invalid = crest::explainInvalid (getParameters());
-  if (!invalid.empty())
-    return refuse ("Invalid parameter: " + invalid);
-
   if (!surface_) {
     fake_surface_ = true;
     surface_ = input_;
@@ -62,18 +115,7 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   if (surface_->empty())
     return refuse ("The search surface is empty: set one that has the input points, or "
                    "none to search the input cloud");
-  if (analysis_) {
-    const std::string other =
-        crest::explainOtherShape (analysis_->parameters, getParameters());
-    if (!other.empty())
-      return refuse ("The analysis that is set was made with " + other +
-                     ": call setAnalysis (nullptr), or set what it was made with");
-    if (analysis_->cloud != fingerprint (*surface_))
-      return refuse ("The analysis that is set is that of another cloud: call "
-                     "setAnalysis (nullptr) when the cloud has changed");
-    return true;
-  }
-  return !tree_ || prepareSearchMethod();
+  return analysis_ || !tree_ || prepareSearchMethod();
 }
 
 template <typename PointInT, typename PointOutT>
@@ -116,25 +158,15 @@ CrestLineEstimation<PointInT, PointOutT>::viewOf (const PointCloudIn& cloud)
 }
 
 template <typename PointInT, typename PointOutT>
-std::uint64_t
-CrestLineEstimation<PointInT, PointOutT>::fingerprint (const PointCloudIn& cloud) const
-{
-  return crest::fingerprint (viewOf (cloud), parameters_.threads);
-}
-
-template <typename PointInT, typename PointOutT>
 bool
-CrestLineEstimation<PointInT, PointOutT>::locateInput (
-    const crest::OrientedPoints& points, pcl::Indices& packed) const
+CrestLineEstimation<PointInT, PointOutT>::locateInput (pcl::Indices& located) const
 {
   if (surface_ == input_) {
-    packed.reserve (indices_->size());
-    for (const index_t i : *indices_)
-      packed.push_back (points.packed_index[i]);
+    located = *indices_;
     return true;
   }
-  const index_t stranger = crest::locatePoints (
-      viewOf (*input_), *indices_, viewOf (*surface_), points, packed);
+  const index_t stranger =
+      crest::locatePoints (viewOf (*input_), *indices_, viewOf (*surface_), located);
   if (stranger < 0)
     return true;
   PCL_ERROR (
@@ -146,20 +178,17 @@ CrestLineEstimation<PointInT, PointOutT>::locateInput (
 }
 
 template <typename PointInT, typename PointOutT>
-bool
-CrestLineEstimation<PointInT, PointOutT>::analyze (const crest::OrientedPoints& points,
-                                                   crest::Progress& progress,
-                                                   crest::SurfaceShape& shape) const
+crest::NeighborSearch
+CrestLineEstimation<PointInT, PointOutT>::givenSearch() const
 {
+  if (!tree_)
+    return nullptr;
   const crest::Parameters parameters = getParameters();
-  std::atomic<bool> stale_search{false};
-  const crest::NeighborSearch given_search = [&] (index_t point, pcl::Indices& found) {
+  return [this, k = parameters.k, radius = parameters.radius] (
+             crest::index_t point, std::vector<crest::index_t>& found) {
     try {
-      crest::findNeighbors<PointInT> (*tree_,
-                                      (*surface_)[points.cloud_index[point]],
-                                      parameters.k,
-                                      parameters.radius,
-                                      found);
+      crest::findNeighbors<PointInT> (
+          *tree_, (*surface_)[static_cast<std::size_t> (point)], k, radius, found);
     }
     catch (const std::bad_alloc&) {
       throw;
@@ -168,139 +197,87 @@ CrestLineEstimation<PointInT, PointOutT>::analyze (const crest::OrientedPoints& 
       throw std::runtime_error (std::string ("The search method failed: ") +
                                 problem.what());
     }
-    std::size_t kept = 0;
-    for (const index_t i : found)
-      if (i < 0 || static_cast<std::size_t> (i) >= surface_->size())
-        stale_search = true;
-      else if (points.packed_index[i] != crest::OrientedPoints::INVALID)
-        found[kept++] = points.packed_index[i];
-    found.resize (kept);
-    if (!(parameters.radius > 0.0))
-      crest::keepNearest (points, point, parameters.k, found);
   };
-  shape = tree_ ? crest::analyzeSurface (points, given_search, parameters, &progress)
-                : crest::analyzeSurface (points, parameters, &progress);
-  if (stale_search)
-    PCL_ERROR (
-        "[pcl::%s::compute] The search method returned points outside the cloud: "
-        "it does not search the cloud that it was given.\n",
-        getClassName().c_str());
-  return !stale_search;
+}
+
+template <typename PointInT, typename PointOutT>
+pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr
+CrestLineEstimation<PointInT, PointOutT>::curvaturesOf (const crest::Extraction& found,
+                                                        const pcl::Indices& located,
+                                                        const PointCloudOut& layout)
+{
+  const auto& known = known_curvatures_.cloud;
+  if (isInputSurface() && known &&
+      known_curvatures_.source.lock() == found.curvatures &&
+      known->header == layout.header && known->width == layout.width &&
+      known->height == layout.height)
+    return known;
+  constexpr float NAN_VALUE = std::numeric_limits<float>::quiet_NaN();
+  auto curvatures = pcl::make_shared<pcl::PointCloud<pcl::PrincipalCurvatures>>();
+  curvatures->reserve (layout.size());
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    const crest::PrincipalCurvature* const c = found.curvatureOf (
+        isInputSurface() ? static_cast<crest::index_t> (i) : located[i]);
+    if (c != nullptr)
+      curvatures->push_back ({c->t1.x(), c->t1.y(), c->t1.z(), c->k1, c->k2});
+    else {
+      curvatures->push_back ({NAN_VALUE, NAN_VALUE, NAN_VALUE, NAN_VALUE, NAN_VALUE});
+      curvatures->is_dense = false;
+    }
+  }
+  curvatures->header = layout.header;
+  curvatures->width = layout.width;
+  curvatures->height = layout.height;
+  if (isInputSurface() && keep_analysis_)
+    known_curvatures_ = {found.curvatures, curvatures};
+  return curvatures;
 }
 
 template <typename PointInT, typename PointOutT>
 bool
-CrestLineEstimation<PointInT, PointOutT>::extract (crest::Progress& progress,
-                                                   PointCloudOut& output)
+CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
 {
-  const crest::Parameters parameters = getParameters();
-  std::vector<crest::StageTime> times;
-  crest::Stopwatch watch (times);
-  std::shared_ptr<const crest::OrientedPoints> points;
-  std::shared_ptr<const crest::SurfaceShape> shape;
-  // What is made for this compute alone, which goes as soon as it is not needed.
-  std::shared_ptr<crest::OrientedPoints> own_points;
-  std::shared_ptr<crest::SurfaceShape> own_shape;
-  if (analysis_) {
-    points = analysis_->points;
-    shape = analysis_->shape;
-  }
-  else
-    points = own_points = std::make_shared<crest::OrientedPoints> (
-        crest::packOrientedPoints (viewOf (*surface_), parameters.threads));
-  if (points->size() == 0 && !surface_->empty())
+  pcl::Indices located;
+  if (!isInputSurface() && !locateInput (located))
+    return false;
+  crest::ExtractionRequest request;
+  request.cloud = viewOf (*surface_);
+  request.parameters = getParameters();
+  request.search = givenSearch();
+  request.make_search = crest::kdTreeSearch;
+  request.progress = progress_callback_;
+  request.analysis = analysis_;
+  request.keep_analysis = keep_analysis_;
+  crest::Extraction found = crest::extractCrests (request);
+  if (found.labels.empty())
     PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal, so "
               "that there are no crests. pcl::NormalEstimation estimates normals.\n",
               getClassName().c_str());
-  pcl::Indices located;
-  if (!isInputSurface() && !locateInput (*points, located))
-    return false;
-  const pcl::Indices& packed_indices =
-      isInputSurface() ? points->packed_index : located;
-  if (!analysis_) {
-    watch.stageDone ("packing");
-    shape = own_shape = std::make_shared<crest::SurfaceShape>();
-    if (!analyze (*points, progress, *own_shape))
-      return false;
-    times.insert (times.end(), shape->times.begin(), shape->times.end());
-  }
-  if (keep_analysis_) {
-    own_points.reset();
-    own_shape.reset();
-  }
 
-  std::shared_ptr<const crest::Crests> traced;
-  if (analysis_ && crest::haveSameTrace (analysis_->parameters, parameters))
-    traced = analysis_->traced;
-  if (!traced) {
-    crest::Stopwatch crest_watch (times);
-    std::vector<crest::CrestType> crest_points =
-        crest::findCrestPoints (*points, *shape, parameters, &progress);
-    if (own_shape && parameters.preset == crest::Preset::PAPER) {
-      own_points->normals = std::vector<Eigen::Vector3f>();
-      own_shape->maximality = std::vector<double>();
-    }
-    crest_watch.stageDone ("crest points");
-    crest::Parameters wanted = parameters;
-    if (keep_analysis_)
-      wanted.wanted = {true, true};
-    traced = std::make_shared<const crest::Crests> (crest::traceCrests (
-        *points, *shape, std::move (crest_points), wanted, &progress));
-    for (const crest::StageTime& time : traced->times)
-      crest::addTime (times, time);
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    const auto place = static_cast<crest::index_t> (i);
+    pcl::copyPoint ((*input_)[static_cast<std::size_t> ((*indices_)[i])], output[i]);
+    output[i].label = found.labelOf (isInputSurface() ? place : located[i]);
   }
-  crest::Crests crests = crest::keepLines (*points, *shape, *traced, parameters);
-  const std::vector<crest::Label> labels =
-      crest::labelPoints (*shape, crests, parameters);
-  result_.statistics = {
-      shape->graph.mean_spacing, points->extent, std::move (crests.sizes), times};
-  if (own_shape) {
-    // Outputs take the place of these.
-    own_shape->graph = crest::SurfaceGraph();
-    own_shape->profiles = std::vector<crest::CrestProfile>();
-    traced.reset();
-  }
-  writeLabels (packed_indices, labels, output);
-  const bool known = analysis_ && analysis_->curvatures && isInputSurface() &&
-                     crest::haveSameLayout (*analysis_->curvatures, output);
-  result_.curvatures =
-      known ? analysis_->curvatures
-            : crest::curvaturesOf (packed_indices, shape->curvature, output);
-  if (keep_analysis_)
-    result_.analysis = std::make_shared<const crest::SurfaceAnalysis> (
-        crest::SurfaceAnalysis{analysis_ ? analysis_->cloud : fingerprint (*surface_),
-                               points,
-                               shape,
-                               traced,
-                               isInputSurface() ? result_.curvatures : nullptr,
-                               parameters});
-  result_.lines = crest::linesOfCloud (*points, std::move (crests.lines));
+  result_.curvatures = curvaturesOf (found, located, output);
+  result_.lines = std::move (found.lines);
+  result_.statistics = std::move (found.statistics);
+  result_.analysis = std::move (found.analysis);
   result_.line_cloud = surface_;
-  if (!crests.positions.empty())
-    result_.line_cloud =
-        crest::cloudOfLines (*surface_, *points, result_.lines, crests.positions);
-  progress.finish();
-  return true;
-}
-
-template <typename PointInT, typename PointOutT>
-void
-CrestLineEstimation<PointInT, PointOutT>::writeLabels (
-    const pcl::Indices& packed_indices,
-    const std::vector<crest::Label>& labels,
-    PointCloudOut& output) const
-{
-  for (std::size_t i = 0; i < packed_indices.size(); ++i) {
-    pcl::copyPoint ((*input_)[(*indices_)[i]], output[i]);
-    output[i].label = crest::labelAt (labels, packed_indices[i]);
+  if (!found.places.empty()) {
+    auto moved = pcl::make_shared<PointCloudIn> (*surface_);
+    for (const crest::LinePlace& place : found.places)
+      (*moved)[static_cast<std::size_t> (place.point)].getVector3fMap() =
+          place.position;
+    result_.line_cloud = moved;
   }
+  return true;
 }
 
 template <typename PointInT, typename PointOutT>
 void
 CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
 {
-  crest::Progress progress (progress_callback_);
   const auto leaveNothing = [this, &output] {
     result_ = Result();
     output.clear();
@@ -309,7 +286,7 @@ CrestLineEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
     this->deinitCompute();
   };
   try {
-    result_.complete = extract (progress, output);
+    result_.complete = extract (output);
   }
   catch (const crest::Cancelled&) {
     PCL_WARN ("[pcl::%s::compute] Cancelled by the progress callback: there is no "
@@ -353,4 +330,4 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
 } // namespace pcl
 
 #define PCL_INSTANTIATE_CrestLineEstimation(T, OutT)                                   \
-  template class PCL_EXPORTS pcl::CrestLineEstimation<T, OutT>
+  template class PCL_CREST_EXPORT pcl::CrestLineEstimation<T, OutT>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/stopwatch.h>
+#include <pcl_crest/export.h>
+#include <pcl_crest/progress.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -31,7 +32,7 @@ struct InputCloud {
 };
 
 /** \brief "file", "faces" or "estimated", as in messages and statistics. */
-std::string
+PCL_CREST_EXPORT std::string
 nameOf (NormalSource source);
 
 /** \brief Reads a cloud and sees to its normals: from the file, else from the faces,
@@ -60,7 +61,7 @@ nameOf (NormalSource source);
  * or faces
  * \return whether the cloud was read
  */
-bool
+PCL_CREST_EXPORT bool
 readCloud (const std::string& file,
            int k,
            unsigned threads,
@@ -72,7 +73,7 @@ readCloud (const std::string& file,
  * \param[in] file the path
  * \param[out] error if not, what is wrong, naming the file
  */
-bool
+PCL_CREST_EXPORT bool
 checkReadable (const std::string& file, std::string& error);
 
 } // namespace crest

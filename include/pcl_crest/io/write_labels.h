@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/export.h>
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -18,7 +20,7 @@ namespace crest {
  * \param[in] cloud, labels, curvatures of one size
  * \param[out] error on failure what is wrong, naming the file
  */
-bool
+PCL_CREST_EXPORT bool
 writeLabels (const std::string& file,
              const pcl::PointCloud<pcl::PointNormal>& cloud,
              const pcl::PointCloud<pcl::Label>& labels,
@@ -33,7 +35,7 @@ writeLabels (const std::string& file,
  * \param[in] cloud, curvatures of one size
  * \param[out] error on failure what is wrong, naming the file
  */
-bool
+PCL_CREST_EXPORT bool
 writeCurvatures (const std::string& file,
                  const pcl::PointCloud<pcl::PointNormal>& cloud,
                  const pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/crest_line.h>
+#include <pcl_crest/export.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -13,7 +14,7 @@ namespace pcl {
 namespace crest {
 
 /** \brief The formats of writeLines by their extensions, in lower case. */
-std::vector<std::string>
+PCL_CREST_EXPORT std::vector<std::string>
 lineExtensions ();
 
 /** \brief Writes crest lines in the format that the extension of the name tells. The
@@ -33,7 +34,7 @@ lineExtensions ();
  * \param[in] lines as CrestLineEstimation::getLines gives them
  * \param[out] error on failure what is wrong, naming the file
  */
-bool
+PCL_CREST_EXPORT bool
 writeLines (const std::string& file,
             const pcl::PointCloud<pcl::PointNormal>& cloud,
             const std::vector<CrestLine>& lines,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/export.h>
 #include <pcl_crest/io/read_cloud.h>
 
 #include <string>
@@ -24,7 +25,7 @@ namespace crest {
  * \param[in] times of all stages that are to be listed
  * \param[out] error on failure what is wrong, naming the file
  */
-bool
+PCL_CREST_EXPORT bool
 writeStatistics (
     const std::string& file,
     const InputCloud& cloud,
@@ -36,7 +37,7 @@ writeStatistics (
     std::string& error);
 
 /** \brief The same for an estimation after compute. */
-bool
+PCL_CREST_EXPORT bool
 writeStatistics (const std::string& file,
                  const InputCloud& cloud,
                  const pcl::PointCloud<pcl::Label>& labels,

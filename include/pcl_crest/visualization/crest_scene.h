@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/crest_line.h>
+#include <pcl_crest/export.h>
 #include <pcl_crest/visualization/surface_splats.h>
 
 #include <pcl/point_cloud.h>
@@ -20,7 +21,7 @@ namespace crest {
 /** \brief The crest lines of a cloud as one polydata with a colour per line: ridges
  * blue, valleys red.
  */
-vtkSmartPointer<vtkPolyData>
+PCL_CREST_EXPORT vtkSmartPointer<vtkPolyData>
 makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
                   const std::vector<CrestLine>& lines);
 
@@ -28,7 +29,7 @@ makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
  * picture shows. Its renderer can be put into any vtkRenderWindow, or be given to
  * PCLVisualizer, and may outlive the scene.
  */
-class CrestScene {
+class PCL_CREST_EXPORT CrestScene {
 public:
   CrestScene();
   ~CrestScene();

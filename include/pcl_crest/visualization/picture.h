@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/export.h>
+
 #include <vtkRenderWindow.h>
 
 #include <string>
@@ -14,14 +16,14 @@ namespace crest {
  *
  * \param[out] error if not, what is missing and what would help
  */
-bool
+PCL_CREST_EXPORT bool
 canRender (std::string& error);
 
 /** \brief Renders.
  * \param[in] window may be off the screen
  * \return the content of a PNG file
  */
-std::string
+PCL_CREST_EXPORT std::string
 renderPicture (vtkRenderWindow& window);
 
 } // namespace crest

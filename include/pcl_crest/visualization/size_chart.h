@@ -2,7 +2,9 @@
 // Paper, section 4.7: the chart that the choice of S is made from.
 #pragma once
 
-#include <pcl_crest/crest_lines.h>
+#include <pcl_crest/crest_line.h>
+#include <pcl_crest/export.h>
+#include <pcl_crest/parameters.h>
 
 #include <vtkBlockItem.h>
 #include <vtkChartXY.h>
@@ -16,7 +18,7 @@ namespace crest {
 /** \brief How many lines there are of each size, in the upper right corner of a
  * renderer: ridges blue, valleys red, and a black line where S cuts.
  */
-class SizeChart {
+class PCL_CREST_EXPORT SizeChart {
 public:
   /** \brief Puts itself into a renderer; it is hidden at first. */
   explicit SizeChart (vtkRenderer* renderer);

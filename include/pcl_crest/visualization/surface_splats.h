@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/export.h>
 #include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
@@ -31,7 +32,7 @@ struct SurfaceSplats {
  * normals in between theirs: flat discs would shade a curved surface in facets, and
  * stand out as beads along its edges. Points without a normal are not drawn.
  */
-SurfaceSplats
+PCL_CREST_EXPORT SurfaceSplats
 makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud);
 
 } // namespace crest

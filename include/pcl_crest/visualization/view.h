@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_crest/export.h>
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -40,7 +42,7 @@ struct View {
  * goes to the right. Up is y (z when looking along y), the way models stand, and north
  * on maps; but -y seen from the negative end of z, where depth cameras are.
  */
-View
+PCL_CREST_EXPORT View
 fitView (const pcl::PointCloud<pcl::PointNormal>& cloud,
          const Eigen::Vector2i& window_size);
 
@@ -53,11 +55,11 @@ fitView (const pcl::PointCloud<pcl::PointNormal>& cloud,
  * \param[out] error on failure what would be right
  * \return whether it is a view
  */
-bool
+PCL_CREST_EXPORT bool
 readView (const std::string& text, View& view, std::string& error);
 
 /** \brief Makes the camera look as the view does. */
-void
+PCL_CREST_EXPORT void
 setCamera (const View& view, vtkCamera& camera);
 
 } // namespace crest

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What goes in: a cloud as plain arrays, and searches for neighbours in it.
+#pragma once
+
+#include <pcl_crest/types.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+
+/** \brief Where a cloud keeps its positions and normals: three floats each, at
+ * `position + i * stride` and `normal + i * stride`, strides in floats.
+ */
+struct PointView {
+  const float* position;
+  const float* normal;
+  std::size_t stride;
+  std::size_t size;
+
+  Eigen::Vector3f
+  positionOf (std::size_t i) const
+  {
+    return Eigen::Map<const Eigen::Vector3f> (position + i * stride);
+  }
+  Eigen::Vector3f
+  normalOf (std::size_t i) const
+  {
+    return Eigen::Map<const Eigen::Vector3f> (normal + i * stride);
+  }
+};
+
+/** \brief Squared distances that differ by less than this part are equal. The equal
+ * steps of a scanner or mesher are not quite equal in a file of six digits, nor in
+ * floats, and less so after a change of unit: which is the shorter must not depend on
+ * that.
+ */
+constexpr double EQUIDISTANT = 1e-3;
+
+/** \brief Finds the candidate neighbours of a point (paper, section 4.1), both by
+ * their indices in what is searched. Any order; may hold the point itself, and points
+ * twice; must be callable from several threads at once.
+ */
+using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& found)>;
+
+/** \brief Makes a search over points: for the k nearest of each, itself among them and
+ * all that are EQUIDISTANT with the last, or for all within the radius where that is
+ * positive. The points are copied, or used only while the search is made.
+ */
+using SearchMaker = std::function<NeighborSearch (
+    const std::vector<Eigen::Vector3f>& points, int k, double radius)>;
+
+} // namespace crest
+} // namespace pcl

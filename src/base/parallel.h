@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/progress.h"
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+
+namespace pcl {
+namespace crest {
+
+/** \brief The number of threads that a setting stands for: 0 is all processors. */
+inline int
+threadCount (unsigned threads)
+{
+  return threads == 0 ? omp_get_num_procs() : static_cast<int> (threads);
+}
+
+/** \brief Brings an exception out of a parallel region, which none may leave by itself:
+ * of several the first that was thrown.
+ */
+class ThreadFailure {
+public:
+  /** \brief Calls work, unless some has failed already. */
+  template <typename Work>
+  void
+  guard (const Work& work)
+  {
+    if (failed_)
+      return;
+    try {
+      work();
+    }
+    catch (...) {
+      if (!failed_.exchange (true))
+        failure_ = std::current_exception();
+    }
+  }
+
+  /** \brief To be called when the region has ended. */
+  void
+  rethrow () const
+  {
+    if (failure_)
+      std::rethrow_exception (failure_);
+  }
+
+private:
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;
+};
+
+/** \brief Calls work (block, first, last) for consecutive blocks of [0, size). The
+ * blocks do not depend on the number of threads, so that what is summed per block does
+ * not either.
+ */
+constexpr std::size_t BLOCK_SIZE = 1024;
+
+inline std::size_t
+blockCount (std::size_t size)
+{
+  return (size + BLOCK_SIZE - 1) / BLOCK_SIZE;
+}
+
+template <typename Work>
+void
+forEachBlock (std::size_t size, const Workers& workers, const Work& work)
+{
+  const auto blocks = static_cast<std::ptrdiff_t> (blockCount (size));
+  Progress* const progress = workers.progress;
+  std::atomic<std::ptrdiff_t> finished{0};
+  const auto workOn = [&] (std::ptrdiff_t block, bool tells) {
+    if (progress != nullptr && progress->isCancelled())
+      return;
+    const std::size_t first = static_cast<std::size_t> (block) * BLOCK_SIZE;
+    work (static_cast<std::size_t> (block), first, std::min (first + BLOCK_SIZE, size));
+    ++finished;
+    if (progress != nullptr && tells)
+      progress->advance (static_cast<double> (finished) / static_cast<double> (blocks));
+  };
+  // Even of one thread a parallel region makes those within it dear, which FLANN opens
+  // for each query.
+  const int threads = threadCount (workers.threads);
+  if (threads == 1)
+    for (std::ptrdiff_t block = 0; block < blocks; ++block)
+      workOn (block, true);
+  else {
+    ThreadFailure failure;
+    // The first of the threads is the one that started the loop.
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (std::ptrdiff_t block = 0; block < blocks; ++block)
+      failure.guard ([&] { workOn (block, omp_get_thread_num() == 0); });
+    failure.rethrow();
+  }
+  if (progress != nullptr)
+    progress->check();
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "normals/single_view.h"
+
+#include "base/parallel.h"
+#include "normals/signed_sets.h"
+#include "search/ball_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace pcl {
+namespace crest {
+
+bool
+isSeenFrom (const std::vector<Eigen::Vector3f>& points,
+            const std::vector<double>& areas,
+            const Eigen::Vector3f& viewpoint,
+            unsigned threads)
+{
+  constexpr double MOST_HIDDEN = 0.08;
+  // So many tell it well enough.
+  constexpr std::size_t TRIED = 20000;
+  // In spacings: how near to a ray a sample covers it, and how far behind it something
+  // has to be to be no noise.
+  constexpr double COVERS = 0.5;
+  constexpr double BEHIND = 5.0;
+
+  std::vector<double> ranges;
+  std::vector<double> spacings;
+  std::vector<Eigen::Vector3f> directions;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f ray = points[i] - viewpoint;
+    if (ray.isZero (0.0F))
+      continue;
+    ranges.push_back (ray.cast<double>().norm());
+    spacings.push_back (std::sqrt (M_PI * areas[i] / (NormalEdges::NEIGHBORS + 1)));
+    directions.emplace_back (ray.stableNormalized());
+  }
+  if (ranges.empty())
+    return false;
+  const std::shared_ptr<const PointTree> tree = treeOver (directions, threads);
+
+  const std::size_t step = (ranges.size() + TRIED - 1) / TRIED;
+  const std::size_t tried = (ranges.size() + step - 1) / step;
+  std::atomic<std::size_t> hidden{0};
+  forEachBlock (tried, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+    std::vector<index_t> found;
+    for (std::size_t k = first; k < last; ++k) {
+      const std::size_t i = k * step;
+      const double behind = ranges[i] - BEHIND * spacings[i];
+      if (spacings[i] == 0.0 || behind <= 0.0)
+        continue;
+      findWithin (*tree, directions[i].data(), COVERS * spacings[i] / ranges[i], found);
+      const auto covers = [&] (index_t q) {
+        return ranges[q] < ranges[i] - BEHIND * std::max (spacings[q], spacings[i]);
+      };
+      if (std::any_of (found.begin(), found.end(), covers))
+        ++hidden;
+    }
+  });
+  return static_cast<double> (hidden) < MOST_HIDDEN * static_cast<double> (tried);
+}
+
+void
+faceViewpoint (const std::vector<Eigen::Vector3f>& points,
+               const NormalEdges& graph,
+               const Eigen::Vector3f& viewpoint,
+               unsigned threads,
+               std::vector<Eigen::Vector3f>& normals)
+{
+  // Steeper than 11 degrees: normals of scans are less wrong than that.
+  constexpr float SURE_COSINE = 0.2F;
+  SignedSets sets (points.size());
+  std::vector<index_t> unsure;
+  index_t sure = -1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto point = static_cast<index_t> (i);
+    const Eigen::Vector3f ray = viewpoint - points[i];
+    const float cosine = normals[i].dot (ray.stableNormalized());
+    if (cosine < 0.0F)
+      normals[i] = -normals[i];
+    if (std::abs (cosine) < SURE_COSINE)
+      unsure.push_back (point);
+    else {
+      if (sure < 0)
+        sure = point;
+      sets.unite (sure, point, false);
+    }
+  }
+  if (sure < 0)
+    return;
+  std::vector<double> areas;
+  for (const NormalEdge& edge : graph.find (normals, unsure, threads, areas))
+    sets.unite (edge.a, edge.b, edge.opposite);
+  const SignedSets::Place seen = sets.find (sure);
+  for (const index_t point : unsure) {
+    const SignedSets::Place place = sets.find (point);
+    if (place.root == seen.root && place.turned != seen.turned)
+      normals[point] = -normals[point];
+  }
+}
+
+} // namespace crest
+} // namespace pcl

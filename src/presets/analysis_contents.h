@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an analysis keeps, and whether it can be used again.
+#pragma once
+
+#include <pcl_crest/surface_analysis.h>
+
+#include "presets/pipeline.h"
+
+namespace pcl {
+namespace crest {
+
+struct SurfaceAnalysis::Contents {
+  /** of the cloud (see fingerprint) */
+  std::uint64_t cloud = 0;
+  std::shared_ptr<const OrientedPoints> points;
+  std::shared_ptr<const SurfaceShape> shape;
+  /** all lines of both types */
+  std::shared_ptr<const Crests> traced;
+  /** that it was made with */
+  Parameters parameters;
+};
+
+/** \brief The first parameter that the shape of a surface depends on and that differs:
+ * its name and both values, in words for the user. Empty if the shape is the same.
+ */
+std::string
+explainOtherShape (const Parameters& made_with, const Parameters& wanted);
+
+/** \brief Whether, on the same shape, traceCrests gives the same. Lines of one type
+ * depend on M of the other, too, as they do not grow over its points.
+ */
+bool
+haveSameTrace (const Parameters& a, const Parameters& b);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_crest/crest_extraction.h>
+
+#include "base/stopwatch.h"
+#include "presets/analysis_contents.h"
+#include "presets/line_selection.h"
+
+#include <stdexcept>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief The user's search, which is over the cloud, for packed points. */
+NeighborSearch
+packedSearch (const NeighborSearch& given,
+              const PointView& cloud,
+              const OrientedPoints& points,
+              const Parameters& parameters)
+{
+  return [&given, &cloud, &points, &parameters] (index_t point,
+                                                 std::vector<index_t>& found) {
+    given (points.cloud_index[point], found);
+    std::size_t kept = 0;
+    for (const index_t i : found) {
+      if (i < 0 || static_cast<std::size_t> (i) >= cloud.size)
+        throw std::runtime_error (
+            "The search method returned points outside the cloud: "
+            "it does not search the cloud that it was given");
+      if (points.packed_index[i] != OrientedPoints::INVALID)
+        found[kept++] = points.packed_index[i];
+    }
+    found.resize (kept);
+    if (!(parameters.radius > 0.0))
+      keepNearest (points, point, parameters.k, found);
+  };
+}
+
+/** \brief Where candidates come from: the search of the request, the one that it makes,
+ * or the batched one.
+ */
+NeighborSource
+neighborSource (const ExtractionRequest& request, const OrientedPoints& points)
+{
+  const Parameters& parameters = request.parameters;
+  const bool radius = parameters.radius > 0.0;
+  if (request.search)
+    return packedSearch (request.search, request.cloud, points, parameters);
+  if (request.make_search && (radius || !parameters.batched_search))
+    return searchOver (points, request.make_search, parameters);
+  std::shared_ptr<const PointTree> tree =
+      treeOver (points.positions, parameters.threads);
+  if (radius)
+    return radiusSearch (points, tree, parameters.radius);
+  return tree;
+}
+
+void
+checkRequest (const ExtractionRequest& request)
+{
+  const auto refuse = [] (const std::string& why) {
+    throw std::invalid_argument (why);
+  };
+  if (request.cloud.size > MOST_POINTS)
+    refuse ("A cloud of " + std::to_string (request.cloud.size) +
+            " points is too large for 32-bit indices, which tell " +
+            std::to_string (MOST_POINTS) +
+            " points apart: compute it in parts that overlap");
+  const std::string invalid = explainInvalid (request.parameters);
+  if (!invalid.empty())
+    refuse ("Invalid parameter: " + invalid);
+  if (!request.analysis)
+    return;
+  const SurfaceAnalysis::Contents& known = request.analysis->contents();
+  const std::string other = explainOtherShape (known.parameters, request.parameters);
+  if (!other.empty())
+    refuse ("The analysis that is set was made with " + other +
+            ": call setAnalysis (nullptr), or set what it was made with");
+  if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
+    refuse ("The analysis that is set is that of another cloud: call "
+            "setAnalysis (nullptr) when the cloud has changed");
+}
+
+/** \brief Lines with indices into the cloud. */
+std::vector<CrestLine>
+linesOfCloud (const OrientedPoints& points, std::vector<CrestLine> lines)
+{
+  for (CrestLine& line : lines)
+    for (std::vector<index_t>& polyline : line.polylines)
+      for (index_t& point : polyline)
+        point = points.cloud_index[point];
+  return lines;
+}
+
+/** \brief Where packed lines run, by indices into the cloud. */
+std::vector<LinePlace>
+placesOfLines (const OrientedPoints& points, const SelectedLines& selected)
+{
+  std::vector<LinePlace> places;
+  if (!selected.positions.empty())
+    for (const CrestLine& line : selected.lines)
+      for (const std::vector<index_t>& polyline : line.polylines)
+        for (const index_t point : polyline)
+          places.push_back ({points.cloud_index[point], selected.positions[point]});
+  return places;
+}
+
+} // namespace
+
+Extraction
+extractCrests (const ExtractionRequest& request)
+{
+  checkRequest (request);
+  const Parameters& parameters = request.parameters;
+  const Pipeline& pipeline = *findPipeline (parameters.preset);
+  Progress progress (request.progress);
+  Extraction result;
+  std::vector<StageTime>& times = result.statistics.times;
+
+  std::shared_ptr<const OrientedPoints> points;
+  std::shared_ptr<const SurfaceShape> shape;
+  std::shared_ptr<const Crests> traced;
+  // What is made for this extraction alone, which goes as soon as it is not needed.
+  std::shared_ptr<OrientedPoints> own_points;
+  std::shared_ptr<SurfaceShape> own_shape;
+  if (request.analysis) {
+    const SurfaceAnalysis::Contents& known = request.analysis->contents();
+    points = known.points;
+    shape = known.shape;
+    if (haveSameTrace (known.parameters, parameters))
+      traced = known.traced;
+  }
+  else {
+    Stopwatch watch (times);
+    points = own_points = std::make_shared<OrientedPoints> (
+        packOrientedPoints (request.cloud, parameters.threads));
+    watch.stageDone ("packing");
+    beginStage (&progress, "search tree", PACKED);
+    NeighborSource neighbors = neighborSource (request, *points);
+    watch.stageDone ("search tree");
+    shape = own_shape =
+        pipeline.analyzeSurface (*points, std::move (neighbors), parameters, &progress);
+    times.insert (times.end(), shape->times.begin(), shape->times.end());
+  }
+  if (request.keep_analysis) {
+    own_points.reset();
+    own_shape.reset();
+  }
+
+  if (!traced) {
+    Stopwatch watch (times);
+    std::vector<CrestType> crest_points =
+        pipeline.findCrestPoints (*points, *shape, parameters, &progress);
+    if (own_shape)
+      pipeline.releaseForLines (*own_points, *own_shape);
+    watch.stageDone ("crest points");
+    Parameters wanted = parameters;
+    if (request.keep_analysis)
+      wanted.wanted = {true, true};
+    traced = std::make_shared<const Crests> (pipeline.traceCrests (
+        *points, *shape, std::move (crest_points), wanted, &progress));
+    for (const StageTime& time : traced->times)
+      addTime (times, time);
+  }
+  SelectedLines selected = selectLines (*points, *shape, *traced, parameters);
+  result.labels = labelPoints (*shape, traced->points, selected.lines, parameters);
+  result.statistics.mean_spacing = shape->graph.mean_spacing;
+  result.statistics.extent = points->extent;
+  for (const CrestType type : CREST_TYPES)
+    if (parameters.wanted[type])
+      result.statistics.line_sizes[type] = traced->sizes[type];
+  if (request.keep_analysis)
+    result.analysis = std::make_shared<const SurfaceAnalysis> (
+        std::make_unique<const SurfaceAnalysis::Contents> (SurfaceAnalysis::Contents{
+            request.analysis ? request.analysis->contents().cloud
+                             : fingerprint (request.cloud, parameters.threads),
+            points,
+            shape,
+            traced,
+            parameters}));
+  if (own_shape) {
+    result.curvatures = std::make_shared<const std::vector<PrincipalCurvature>> (
+        std::move (own_shape->curvature));
+    own_shape.reset();
+    shape.reset();
+    traced.reset();
+  }
+  else
+    result.curvatures = {shape, &shape->curvature};
+  result.sample_of = {points, &points->packed_index};
+  result.places = placesOfLines (*points, selected);
+  result.lines = linesOfCloud (*points, std::move (selected.lines));
+  progress.finish();
+  return result;
+}
+
+} // namespace crest
+} // namespace pcl
