@@ -64,6 +64,12 @@ findStranger (const Parameters& p)
 
 } // namespace
 
+std::string
+nameOf (Preset preset)
+{
+  return preset == Preset::PAPER ? "paper" : "auto";
+}
+
 int
 minSize (const Parameters& parameters, CrestType type)
 {

@@ -4,6 +4,7 @@
 
 #include <pcl_crest/types.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,13 @@ enum class Preset : std::uint8_t {
   /** the paper's stages with the scale and the significance found by statistics */
   AUTO
 };
+
+/** \brief All of them, the default first. */
+constexpr std::array<Preset, 2> PRESETS{Preset::AUTO, Preset::PAPER};
+
+/** \brief Its name for users, in options and files: "auto" or "paper". */
+std::string
+nameOf (Preset preset);
 
 /** \brief Where lines run. */
 enum class Positions : std::uint8_t {
