@@ -315,6 +315,16 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "more"}, "found 3");
   expectUsageError ({in, out, "-quadrants", "2"}, "no option \"-quadrants\"");
   expectUsageError ({in, out, "--halp"}, "no option \"--halp\"");
+  expectUsageError ({in, out, "--k", "5"}, "no option \"--k\"");
+  expectUsageError ({in, out, "-k=5"}, "no option \"-k=5\"");
+  expectUsageError ({in, out, "-thr", "1"}, "no option \"-thr\"");
+  expectUsageError ({in, out, "-"}, "no option \"-\"");
+  expectUsageError ({in, out, "--"}, "no option \"--\"");
+  expectUsageError ({in, "k=5", out}, "found 3");
+  expectUsageError ({in, out, "-boundaries", "-boundaries"},
+                    "-boundaries is given twice");
+  // Of two values the one of the option that comes first in the usage.
+  expectUsageError ({in, out, "-M", "x", "-angle", "y"}, "-angle is \"y\"");
   expectUsageError ({in, out, "-k"}, "-k needs a value");
   expectUsageError ({in, out, "-lines", "-stats"}, "-lines needs a value");
   expectUsageError ({in, out, "-k", "8", "-k", "9"}, "-k is given twice");
