@@ -3,6 +3,8 @@
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/io/write_lines.h>
+#include <pcl_crest/search/simd.h>
+#include <pcl_crest/version.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -15,6 +17,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -291,9 +294,31 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
                                "-stats ",      "-curvatures ",
                                "-search ",     "-quiet ",
                                "-h ",          "-estimate_normals ",
-                               "(default 24)"})
+                               "-version ",    "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
+}
+
+TEST_F (LineTool, VersionTellsOfPresetsAndKernels)
+{
+  std::string kernels;
+  for (const std::string& name : kernelNames())
+    kernels += (kernels.empty() ? "" : ", ") + name;
+  const std::string expected =
+      "pcl_crest_line_estimation " + version() +
+      "\npresets: auto (default), paper\nkernels: " + kernelNames().front() + " (of " +
+      kernels + ")\n";
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{
+           {"-version"}, {"--version"}, {"a", "-wrong", "--version", "b.pcd"}}) {
+    const Outcome result = run (arguments);
+    EXPECT_EQ (0, result.code);
+    EXPECT_EQ ("", result.error);
+    EXPECT_EQ (expected, result.out);
+  }
+  EXPECT_TRUE (std::regex_match (version(), std::regex ("[0-9]+\\.[0-9]+\\.[0-9]+")));
+  EXPECT_EQ (bestSimd() == Simd::AVX2, kernelNames().front() == "avx2");
+  EXPECT_EQ ("portable", kernelNames().back());
 }
 
 TEST_F (LineTool, QuietPrintsErrorsOnly)

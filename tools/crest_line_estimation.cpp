@@ -208,7 +208,7 @@ main (int argc, char** argv)
        fileName ("FILE.pcd", files.curvatures),
        "write principal curvatures and directions");
   add ("-quiet", flag (quiet), "print errors only, and no progress on a terminal");
-  addHelpOption (options, asked);
+  addQuestions (options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
@@ -219,6 +219,10 @@ main (int argc, char** argv)
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
            "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"
         << usage (options);
+    return EXIT_DONE;
+  }
+  if (wantsVersion (argc, argv)) {
+    std::cout << describeVersion (PROGRAM);
     return EXIT_DONE;
   }
 

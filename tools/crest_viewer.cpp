@@ -171,7 +171,7 @@ main (int argc, char** argv)
        "a file that pcl_viewer saved the camera to, or what is in it\n"
        "(default: the whole cloud from its broadest side)");
   addViewOptions (options, request.window.view);
-  addHelpOption (options, asked);
+  addQuestions (options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"
@@ -180,6 +180,10 @@ main (int argc, char** argv)
            "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file.\n\n"
         << usage (options) << "\nKeys in the window:\n"
         << ViewerWindow::keys();
+    return EXIT_DONE;
+  }
+  if (wantsVersion (argc, argv)) {
+    std::cout << describeVersion (PROGRAM);
     return EXIT_DONE;
   }
 

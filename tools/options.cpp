@@ -141,10 +141,11 @@ usage (const Options& options)
 }
 
 void
-addHelpOption (Options& options, bool& asked)
+addQuestions (Options& options, bool& asked)
 {
   options.add_options() (
-      "-h", flag (asked), "show this and do nothing else; so does --help");
+      "-h", flag (asked), "show this and do nothing else; so does --help") (
+      "-version", flag (asked), "show version, presets and kernels; so does --version");
 }
 
 void

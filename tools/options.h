@@ -118,9 +118,9 @@ addEstimationOptions (Options& options, Parameters& parameters);
 void
 addNormalsOption (Options& options, bool& estimate_normals);
 
-/** \brief Adds -h, which programs answer before they parse. */
+/** \brief Adds -h and -version, which programs answer before they parse. */
 void
-addHelpOption (Options& options, bool& asked);
+addQuestions (Options& options, bool& asked);
 
 /** \brief Takes the arguments of main for a program with these options.
  * \param[in] names of the files that it expects, as in the usage
