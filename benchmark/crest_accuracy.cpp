@@ -92,39 +92,43 @@ main (int argc, char** argv)
   settings.noises = {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 
   pcl::crest::Options options;
-  options.add ("-surfaces",
-               "A,B",
-               "names, or the groups tuned, held_out, silent (all)",
-               [&] (const std::string& value) {
-                 settings.surfaces = accuracy::splitAtCommas (value);
-                 return std::string();
-               });
-  options.add ("-sampling",
-               "A,B",
-               "of even, density, scan_lines, correlated, exact_normals (even)",
-               accuracy::takeNames (settings.samplings, accuracy::samplingNames()));
-  options.addNumber ("-other_noise", "in spacings, if not even", settings.other_noise);
-  options.addNumber ("-points", "samples of a surface", settings.points);
-  options.addText ("-files", "FOLDER", "write clouds and truths there", settings.files);
+  auto add = options.add_options();
+  add ("-surfaces",
+       pcl::crest::value ("A,B",
+                          [&] (const std::string& text) {
+                            settings.surfaces = accuracy::splitAtCommas (text);
+                            return std::string();
+                          }),
+       "names, or the groups tuned, held_out, silent (all)");
+  add ("-sampling",
+       accuracy::namesOf (settings.samplings, accuracy::samplingNames()),
+       "of even, density, scan_lines, correlated, exact_normals (even)");
+  add ("-other_noise",
+       pcl::crest::number (settings.other_noise),
+       "in spacings, if not even");
+  add ("-points", pcl::crest::number (settings.points), "samples of a surface");
+  add ("-files",
+       pcl::crest::fileName ("FOLDER", settings.files),
+       "write clouds and truths there");
   accuracy::addSettings (options, settings);
 
-  std::vector<std::string> others;
-  std::string error;
+  pcl::crest::Arguments arguments;
+  std::string error = pcl::crest::parse (argc, argv, options, arguments);
+  const bool parsed = error.empty();
   std::string unknown;
-  const bool parsed = options.parse (argc, argv, others, error);
   const auto surfaces = accuracy::listSurfaces (settings.surfaces, unknown);
   if (settings.help) {
-    std::cout << "Scores lines on analytic surfaces.\n" << options.usage();
+    std::cout << "Scores lines on analytic surfaces.\n" << pcl::crest::usage (options);
     return 0;
   }
   if (parsed && settings.points < 100)
     error = "-points is at least 100";
-  else if (parsed && !others.empty())
-    error = "what is \"" + others[0] + "\"?";
+  else if (parsed && !arguments.files.empty())
+    error = "what is \"" + arguments.files[0] + "\"?";
   else if (parsed && !unknown.empty())
     error = "there is no surface \"" + unknown + "\"";
   if (!error.empty()) {
-    std::cerr << "crest_accuracy: " << error << '\n' << options.usage();
+    std::cerr << "crest_accuracy: " << error << '\n' << pcl::crest::usage (options);
     return 1;
   }
 

@@ -81,11 +81,13 @@ main (int argc, char** argv)
   std::string json;
   int points = 20000;
   pcl::crest::Options options;
-  options.addNumber ("-points", "vertices of a surface", points);
-  options.addText ("-json", "FILE", "write all scores", json);
-  std::vector<std::string> names;
-  std::string error;
-  const bool parsed = options.parse (argc, argv, names, error);
+  auto add = options.add_options();
+  add ("-points", pcl::crest::number (points), "vertices of a surface");
+  add ("-json", pcl::crest::fileName ("FILE", json), "write all scores");
+  pcl::crest::Arguments arguments;
+  std::string error = pcl::crest::parse (argc, argv, options, arguments);
+  const bool parsed = error.empty();
+  std::vector<std::string> names = arguments.files;
   std::string unknown;
   if (names.empty())
     names = {"tuned", "held_out"};
@@ -93,7 +95,8 @@ main (int argc, char** argv)
   if (parsed && !unknown.empty())
     error = "there is no surface \"" + unknown + "\"";
   if (!error.empty()) {
-    std::cerr << "crest_accuracy_cgal: " << error << '\n' << options.usage();
+    std::cerr << "crest_accuracy_cgal: " << error << '\n'
+              << pcl::crest::usage (options);
     return 1;
   }
 

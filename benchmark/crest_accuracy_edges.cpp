@@ -60,18 +60,18 @@ main (int argc, char** argv)
   settings.noises = {0.0, 0.05, 0.2};
   pcl::crest::Options options;
   accuracy::addSettings (options, settings);
-  std::vector<std::string> files;
-  std::string error;
-  const bool parsed = options.parse (argc, argv, files, error);
+  pcl::crest::Arguments arguments;
+  std::string error = pcl::crest::parse (argc, argv, options, arguments);
+  const bool parsed = error.empty();
   if (parsed && settings.help) {
     std::cout << "usage: crest_accuracy_edges MESH.off|MESH.obj ... [options]\n"
-              << options.usage();
+              << pcl::crest::usage (options);
     return 0;
   }
-  if (parsed && files.empty())
+  if (parsed && arguments.files.empty())
     error = "name at least one mesh";
   std::vector<accuracy::SharpObject> objects;
-  for (const std::string& file : files)
+  for (const std::string& file : arguments.files)
     objects.push_back (accuracy::readSharpMesh (file, error));
   if (!error.empty()) {
     std::cerr << "crest_accuracy_edges: " << error << '\n';

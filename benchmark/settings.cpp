@@ -34,11 +34,11 @@ splitAtCommas (const std::string& text)
   return parts;
 }
 
-pcl::crest::Options::Take
-takeNames (std::vector<std::string>& names, const std::vector<std::string>& known)
+pcl::crest::OptionValue*
+namesOf (std::vector<std::string>& names, const std::vector<std::string>& known)
 {
-  return [&names, known] (const std::string& value) {
-    names = splitAtCommas (value);
+  return pcl::crest::value ("A,B", [&names, known] (const std::string& text) {
+    names = splitAtCommas (text);
     for (const std::string& name : names)
       if (std::find (known.begin(), known.end(), name) == known.end()) {
         std::string right = "one or more, with commas between, of:";
@@ -47,7 +47,7 @@ takeNames (std::vector<std::string>& names, const std::vector<std::string>& know
         return right;
       }
     return std::string();
-  };
+  });
 }
 
 void
@@ -56,21 +56,22 @@ addSettings (pcl::crest::Options& options, Settings& settings)
   std::ostringstream usual;
   for (const double noise : settings.noises)
     usual << (usual.tellp() > 0 ? "," : "") << noise;
-  options.add ("-noise",
-               "X,Y",
-               "noises in spacings (" + usual.str() + ")",
-               [&settings] (const std::string& value) {
-                 return takeNoises (value, settings.noises);
-               });
-  options.add ("-presets",
-               "A,B",
-               "of auto, paper (both)",
-               takeNames (settings.presets, {"auto", "paper"}));
-  options.addFlag ("-exact_normals", "the true normals", settings.exact_normals);
-  options.addNumber ("-seed", "of samples and noise", settings.seed);
-  options.addNumber ("-threads", "0 takes all processors", settings.threads);
-  options.addText ("-json", "FILE", "write all scores", settings.json);
-  options.addFlag ("-h", "show this and do nothing else", settings.help);
+  using namespace pcl::crest;
+  auto add = options.add_options();
+  add ("-noise",
+       value ("X,Y",
+              [&settings] (const std::string& text) {
+                return takeNoises (text, settings.noises);
+              }),
+       ("noises in spacings (" + usual.str() + ")").c_str());
+  add ("-presets",
+       namesOf (settings.presets, {"auto", "paper"}),
+       "of auto, paper (both)");
+  add ("-exact_normals", flag (settings.exact_normals), "the true normals");
+  add ("-seed", number (settings.seed), "of samples and noise");
+  add ("-threads", number (settings.threads), "0 takes all processors");
+  add ("-json", fileName ("FILE", settings.json), "write all scores");
+  add ("-h", flag (settings.help), "show this and do nothing else");
 }
 
 } // namespace accuracy

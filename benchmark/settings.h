@@ -28,8 +28,8 @@ addSettings (pcl::crest::Options& options, Settings& settings);
 std::vector<std::string>
 splitAtCommas (const std::string& text);
 
-/** \brief Takes a list of which every part has to be one of `known`. */
-pcl::crest::Options::Take
-takeNames (std::vector<std::string>& names, const std::vector<std::string>& known);
+/** \brief A list of which every part has to be one of `known`. */
+pcl::crest::OptionValue*
+namesOf (std::vector<std::string>& names, const std::vector<std::string>& known);
 
 } // namespace accuracy

@@ -35,7 +35,7 @@ optionsOf (const Parameters& p)
   const Parameters unset;
   std::string text;
   if (p.preset == Preset::PAPER) {
-    text += " -preset paper";
+    text += " -preset " + nameOf (p.preset);
     text += option ("-M_ridge", p.maximality.ridge, unset.maximality.ridge);
     text += option ("-M_valley", p.maximality.valley, unset.maximality.valley);
     text += p.absolute_maximality ? " -absolute" : "";

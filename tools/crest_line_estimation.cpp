@@ -194,22 +194,22 @@ main (int argc, char** argv)
   Parameters parameters;
   Files files;
   bool quiet = false;
-  bool help = false;
+  bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
   addNormalsOption (options, files.estimate_normals);
-  options.addText (
-      "-lines", "FILE", "write the lines as .obj, .ply or .vtk", files.lines);
-  options.addText ("-stats",
-                   "FILE.json",
-                   "write counts, sizes and lengths of lines, and times",
-                   files.statistics);
-  options.addText ("-curvatures",
-                   "FILE.pcd",
-                   "write principal curvatures and directions",
-                   files.curvatures);
-  options.addFlag ("-quiet", "print errors only, and no progress on a terminal", quiet);
-  options.addFlag ("-h", "show this and do nothing else; so does --help", help);
+  auto add = options.add_options();
+  add ("-lines",
+       fileName ("FILE", files.lines),
+       "write the lines as .obj, .ply or .vtk");
+  add ("-stats",
+       fileName ("FILE.json", files.statistics),
+       "write counts, sizes and lengths of lines, and times");
+  add ("-curvatures",
+       fileName ("FILE.pcd", files.curvatures),
+       "write principal curvatures and directions");
+  add ("-quiet", flag (quiet), "print errors only, and no progress on a terminal");
+  addQuestions (options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
@@ -219,17 +219,21 @@ main (int argc, char** argv)
            "OUTPUT.pcd gets each point with its normal, its largest principal\n"
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
            "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"
-        << options.usage();
+        << usage (options);
+    return EXIT_DONE;
+  }
+  if (wantsVersion (argc, argv)) {
+    std::cout << describeVersion (PROGRAM);
     return EXIT_DONE;
   }
 
-  std::vector<std::string> arguments;
+  Arguments arguments;
   std::string error = takeArguments (
       argc, argv, {"INPUT", "OUTPUT.pcd"}, options, parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
-  files.input = arguments[0];
-  files.output = arguments[1];
+  files.input = arguments.files[0];
+  files.output = arguments.files[1];
   const ExitCode code = checkOutputs (files, error);
   return code == EXIT_DONE ? run (files, parameters, quiet)
                            : fail (PROGRAM, code, error);

@@ -113,7 +113,7 @@ savePicture (const Request& request, const Parameters& parameters)
   const std::optional<View>& camera = request.window.camera;
   const ViewOptions& options = request.window.view;
   SessionView view (options);
-  view.show (*session, makeSurfaceSplats (*session->getCloud().points));
+  view.show (*session, *makeSurfaceSplats (*session->getCloud().points));
   vtkRenderer& renderer = *view.getScene().getRenderer();
   if (options.sliders)
     drawSliders (
@@ -149,49 +149,52 @@ main (int argc, char** argv)
 {
   Parameters parameters;
   Request request;
-  bool help = false;
+  bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
   addNormalsOption (options, request.window.estimate_normals);
-  options.addText ("-screenshot",
-                   "FILE.png",
-                   "write a picture instead of opening a window",
-                   request.screenshot);
-  options.add ("-size",
-               "WxH",
-               "size of window or picture (default 1200x1200, or as -cam says)",
-               [&request] (const std::string& value) {
-                 return takeSize (value, request.window.size);
-               });
-  options.add ("-cam",
-               "CAMERA",
-               "a file that pcl_viewer saved the camera to, or what is in it\n"
-               "                          (default: the whole cloud from its broadest "
-               "side)",
-               [&request] (const std::string& value) {
-                 return takeView (value, request.window.camera);
-               });
+  auto add = options.add_options();
+  add ("-screenshot",
+       fileName ("FILE.png", request.screenshot),
+       "write a picture instead of opening a window");
+  add ("-size",
+       value ("WxH",
+              [&request] (const std::string& text) {
+                return takeSize (text, request.window.size);
+              }),
+       "size of window or picture (default 1200x1200, or as -cam says)");
+  add ("-cam",
+       value ("CAMERA",
+              [&request] (const std::string& text) {
+                return takeView (text, request.window.camera);
+              }),
+       "a file that pcl_viewer saved the camera to, or what is in it\n"
+       "(default: the whole cloud from its broadest side)");
   addViewOptions (options, request.window.view);
-  options.addFlag ("-h", "show this and do nothing else; so does --help", help);
+  addQuestions (options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"
            "Shows a point cloud and its crest lines, ridges blue and valleys red, in\n"
            "a window with the mouse and keys of pcl_viewer (h lists them, q quits).\n"
            "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file.\n\n"
-        << options.usage() << "\nKeys in the window:\n"
+        << usage (options) << "\nKeys in the window:\n"
         << ViewerWindow::keys();
     return EXIT_DONE;
   }
+  if (wantsVersion (argc, argv)) {
+    std::cout << describeVersion (PROGRAM);
+    return EXIT_DONE;
+  }
 
-  std::vector<std::string> arguments;
+  Arguments arguments;
   std::string error =
       takeArguments (argc, argv, {"INPUT"}, options, parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
-  request.window.input = arguments[0];
-  request.window.prefix = std::filesystem::path (arguments[0]).stem().string();
-  if (request.window.camera && !options.given ("-size"))
+  request.window.input = arguments.files[0];
+  request.window.prefix = std::filesystem::path (request.window.input).stem().string();
+  if (request.window.camera && arguments.options.count ("-size") == 0)
     request.window.size = request.window.camera->window_size;
   if (!request.screenshot.empty()) {
     if (!hasExtension (request.screenshot, {".png"}, error))

@@ -1,83 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Boost.Program_options in PCL's form, a dash, a name, perhaps a value, and with our
+// words for what is wrong.
 #pragma once
 
 #include <pcl_crest/parameters.h>
 
+#include <boost/program_options.hpp>
+
+#include "io/parse_number.h"
+
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace crest {
 
-/** \brief The options of a program, of PCL's form: a dash, a name, perhaps a value. */
-class Options {
-public:
-  /** \brief Takes the value of an option in; returns what would be right if that is
-   * not, else nothing. */
-  using Take = std::function<std::string (const std::string& value)>;
+/** \brief The options of a program. Their names begin with the dash. */
+using Options = boost::program_options::options_description;
 
-  /** \brief Adds an option with a value.
-   * \param[in] name with its dash
-   * \param[in] value its name in the usage, as in "N" or "FILE.json"
-   * \param[in] help one line for the usage
-   * \param[in] take called for each option given, in the order they were added
-   */
-  void
-  add (const std::string& name,
-       const std::string& value,
-       const std::string& help,
-       Take take);
+/** \brief What follows the name of an option, and where it goes; Options own theirs. */
+using OptionValue = boost::program_options::value_semantic;
 
-  /** \brief Adds an option without a value. */
-  void
-  addFlag (const std::string& name, const std::string& help, bool& flag);
-
-  /** \brief Adds an option whose value is a number, all of it. */
-  template <typename T>
-  void
-  addNumber (const std::string& name, const std::string& help, T& number);
-
-  /** \brief Adds an option whose value is taken as it is. */
-  void
-  addText (const std::string& name,
-           const std::string& value,
-           const std::string& help,
-           std::string& text);
-
-  /** \brief Takes the arguments of main.
-   * \param[out] others the arguments that are no options, in their order
-   * \param[out] error what is wrong, if so
-   */
-  bool
-  parse (int argc,
-         const char* const* argv,
-         std::vector<std::string>& others,
-         std::string& error);
-
-  /** \brief Whether parse found the option. */
-  bool
-  given (const std::string& name) const;
-
-  /** \brief A line for each option. */
-  std::string
-  usage () const;
-
-private:
-  struct Option {
-    std::string name;
-    std::string value;
-    std::string help;
-    Take take;
-    bool given;
-    std::string given_value;
-  };
-
-  Option*
-  find (const std::string& name);
-
-  std::vector<Option> options_;
+/** \brief What a program was called with. */
+struct Arguments {
+  boost::program_options::variables_map options;
+  /** those that are no options, in their order */
+  std::vector<std::string> files;
 };
+
+/** \brief A value of any kind.
+ * \param[in] name of it in the usage, as in "N" or "FILE.json"
+ * \param[in] take takes it in; returns what would be right if it is not, else nothing.
+ * Those of several options are called in the order of the usage.
+ */
+OptionValue*
+value (const std::string& name,
+       const std::function<std::string (const std::string&)>& take);
+
+/** \brief No value. */
+OptionValue*
+flag (bool& given);
+
+/** \brief The name of a file. */
+OptionValue*
+fileName (const std::string& name, std::string& file);
+
+/** \brief Reads a number, all of the text; returns what would be right. */
+template <typename T>
+std::string
+takeNumber (const std::string& text, T& number)
+{
+  if (parseNumber (text, number))
+    return {};
+  if (std::is_floating_point_v<T>)
+    return "a number";
+  return std::is_signed_v<T> ? "a whole number" : "a whole number that is not negative";
+}
+
+template <typename T>
+std::string
+takeNumber (const std::string& text, std::optional<T>& number)
+{
+  return takeNumber (text, number.emplace());
+}
+
+/** \brief A number. */
+template <typename T>
+OptionValue*
+number (T& number)
+{
+  return value (
+      "N", [&number] (const std::string& text) { return takeNumber (text, number); });
+}
+
+/** \brief One of some words, each of which means something. */
+template <typename T>
+OptionValue*
+oneOf (const std::string& name,
+       const std::vector<std::pair<std::string, T>>& words,
+       T& meant)
+{
+  return value (name, [words, &meant] (const std::string& given) {
+    std::string wanted;
+    for (const auto& [word, meaning] : words) {
+      if (word == given) {
+        meant = meaning;
+        return std::string();
+      }
+      const bool last = word == words.back().first;
+      wanted += (wanted.empty() ? "" : last ? " or " : ", ") + word;
+    }
+    return wanted;
+  });
+}
+
+/** \brief Takes the arguments of main; returns what is wrong, if anything. */
+std::string
+parse (int argc, const char* const* argv, const Options& options, Arguments& arguments);
+
+/** \brief A line or more for each option. */
+std::string
+usage (const Options& options);
 
 /** \brief Adds the options that fill the parameters of the estimation: -preset -angle
  * -min_length -confidence -positions -k -radius -search -M -M_ridge -M_valley -absolute
@@ -92,18 +119,21 @@ addEstimationOptions (Options& options, Parameters& parameters);
 void
 addNormalsOption (Options& options, bool& estimate_normals);
 
+/** \brief Adds -h and -version, which programs answer before they parse. */
+void
+addQuestions (Options& options, bool& asked);
+
 /** \brief Takes the arguments of main for a program with these options.
  * \param[in] names of the files that it expects, as in the usage
- * \param[out] files these
  * \return what is wrong, if anything: one option, all of them together, or the files
  */
 std::string
 takeArguments (int argc,
                const char* const* argv,
                const std::vector<std::string>& names,
-               Options& options,
+               const Options& options,
                const Parameters& parameters,
-               std::vector<std::string>& files);
+               Arguments& arguments);
 
 } // namespace crest
 } // namespace pcl

@@ -2,7 +2,13 @@
 // What all programs of the project have in common.
 #pragma once
 
+#include <pcl_crest/parameters.h>
+#include <pcl_crest/version.h>
+
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <string>
 
@@ -33,15 +39,40 @@ fail (const std::string& program, ExitCode code, const std::string& message)
   return code;
 }
 
-/** \brief Whether -h or --help is among the arguments, wherever: who asks for help may
- * not know how to write the rest.
+/** \brief Whether one of the words is among the arguments, wherever: who asks for help
+ * may not know how to write the rest.
  */
+inline bool
+isAsked (int argc, const char* const* argv, const std::array<std::string, 2>& words)
+{
+  return std::find_first_of (argv + 1, argv + argc, words.begin(), words.end()) !=
+         argv + argc;
+}
+
 inline bool
 wantsHelp (int argc, const char* const* argv)
 {
-  return std::any_of (argv + 1, argv + argc, [] (const std::string& argument) {
-    return argument == "-h" || argument == "--help";
-  });
+  return isAsked (argc, argv, {"-h", "--help"});
+}
+
+inline bool
+wantsVersion (int argc, const char* const* argv)
+{
+  return isAsked (argc, argv, {"-version", "--version"});
+}
+
+/** \brief The program's version, the presets and the kernels, for people to read. */
+inline std::string
+describeVersion (const std::string& program)
+{
+  std::vector<std::string> names;
+  for (const Preset preset : presets())
+    names.push_back (nameOf (preset) +
+                     (preset == Parameters().preset ? " (default)" : ""));
+  const std::vector<std::string> kernels = kernelNames();
+  return program + " " + version() + "\npresets: " + boost::join (names, ", ") +
+         "\nkernels: " + kernels.front() + " (of " + boost::join (kernels, ", ") +
+         ")\n";
 }
 
 } // namespace crest

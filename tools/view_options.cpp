@@ -4,7 +4,6 @@
 #include "io/parse_number.h"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 namespace pcl {
@@ -12,24 +11,21 @@ namespace crest {
 
 namespace {
 
-constexpr std::array<const char*, 6> COLOR_MODES{
-    "none", "label", "k1", "k2", "boundary", "rgb"};
-
-/** \brief Takes a number from a range, of which the text tells. */
+/** \brief A number from a range, of which the text tells. */
 template <typename T>
-Options::Take
-fromRange (T least, T most, T& number)
+OptionValue*
+fromRange (const std::string& name, T least, T most, T& number)
 {
-  return [=, &number] (const std::string& value) {
+  return value (name, [=, &number] (const std::string& text) {
     T taken;
-    if (parseNumber (value, taken) && taken >= least && taken <= most) {
+    if (parseNumber (text, taken) && taken >= least && taken <= most) {
       number = taken;
       return std::string();
     }
     std::ostringstream wanted;
     wanted << "a number from " << least << " to " << most;
     return wanted.str();
-  };
+  });
 }
 
 std::string
@@ -59,43 +55,40 @@ inkOn (const Eigen::Vector3d& background)
 void
 addViewOptions (Options& options, ViewOptions& view)
 {
-  options.add ("-color",
-               "NAME",
-               "color points by: none, label, k1, k2, boundary, rgb (of the file)",
-               [&view] (const std::string& value) {
-                 const auto* const mode =
-                     std::find (COLOR_MODES.begin(), COLOR_MODES.end(), value);
-                 if (mode == COLOR_MODES.end())
-                   return std::string ("none, label, k1, k2, boundary or rgb");
-                 view.color = static_cast<ColorMode> (mode - COLOR_MODES.begin());
-                 return std::string();
-               });
-  options.add ("-ps",
-               "N",
-               "draw points as dots of N pixels, 1 to 64 (default: as a surface)",
-               fromRange (1, LARGEST_POINT, view.point_size));
-  options.add ("-opaque",
-               "X",
-               "opacity of the points, 0 to 1 (default 1)",
-               fromRange (0.0, 1.0, view.opacity));
-  options.add ("-lw",
-               "X",
-               "width of the lines in pixels (default 2.5)",
-               fromRange (THINNEST_LINE, THICKEST_LINE, view.line_width));
-  options.add ("-bc",
-               "R,G,B",
-               "color of the background, each 0 to 1 (default 1,1,1)",
-               [&view] (const std::string& value) {
-                 return takeColor (value, view.background);
-               });
-  options.add ("-ax",
-               "X",
-               "draw axes of this length at the origin, x red, y green, z blue",
-               fromRange (0.0, 1e30, view.axes));
-  options.addFlag (
-      "-directions", "draw principal directions from the start", view.directions);
-  options.addFlag ("-chart", "show the chart of line sizes from the start", view.chart);
-  options.addFlag ("-sliders", "show the sliders in the picture, too", view.sliders);
+  auto add = options.add_options();
+  add ("-color",
+       oneOf<ColorMode> ("NAME",
+                         {{"none", ColorMode::SHADED},
+                          {"label", ColorMode::LABEL},
+                          {"k1", ColorMode::K1},
+                          {"k2", ColorMode::K2},
+                          {"boundary", ColorMode::BOUNDARY},
+                          {"rgb", ColorMode::FILE}},
+                         view.color),
+       "color points by: none, label, k1, k2, boundary, rgb (of the file)");
+  add ("-ps",
+       fromRange ("N", 1, LARGEST_POINT, view.point_size),
+       "draw points as dots of N pixels, 1 to 64 (default: as a surface)");
+  add ("-opaque",
+       fromRange ("X", 0.0, 1.0, view.opacity),
+       "opacity of the points, 0 to 1 (default 1)");
+  add ("-lw",
+       fromRange ("X", THINNEST_LINE, THICKEST_LINE, view.line_width),
+       "width of the lines in pixels (default 2.5)");
+  add ("-bc",
+       value ("R,G,B",
+              [&view] (const std::string& text) {
+                return takeColor (text, view.background);
+              }),
+       "color of the background, each 0 to 1 (default 1,1,1)");
+  add ("-ax",
+       fromRange ("X", 0.0, 1e30, view.axes),
+       "draw axes of this length at the origin, x red, y green, z blue");
+  add ("-directions",
+       flag (view.directions),
+       "draw principal directions from the start");
+  add ("-chart", flag (view.chart), "show the chart of line sizes from the start");
+  add ("-sliders", flag (view.sliders), "show the sliders in the picture, too");
 }
 
 } // namespace crest

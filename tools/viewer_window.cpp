@@ -219,7 +219,7 @@ ViewerWindow::poll()
   }
   Loaded loaded = loading_.get();
   if (loaded.session)
-    show (std::move (loaded.session), loaded.splats);
+    show (std::move (loaded.session), *loaded.splats);
   else
     getInteractor()->ExitCallback();
 }

@@ -119,7 +119,7 @@ private:
 
   struct Loaded {
     std::unique_ptr<CrestSession> session;
-    SurfaceSplats splats;
+    std::shared_ptr<const SurfaceSplats> splats;
   };
   std::mutex stage_mutex_;
   std::string stage_;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Room pcl: the method as a pcl::Feature. Clouds and searches of PCL go in; its labels,
+// curvatures, line sets and messages come out. All else is done by extractCrests
+// (crest_extraction.h), which knows no PCL.
 #pragma once
 
 #include <pcl_crest/crest_extraction.h>

@@ -144,19 +144,13 @@ struct Parameters {
 PCL_CREST_EXPORT PerType<double>
 absoluteMaximality (const Parameters& parameters, double extent);
 
-/** \brief The names of the presets, as options and statistics have them; the default
- * first.
- */
-PCL_CREST_EXPORT std::vector<std::string>
-presetNames ();
+/** \brief All presets, the default first. */
+PCL_CREST_EXPORT std::vector<Preset>
+presets ();
 
-/** \brief The name of a preset, one of presetNames. */
+/** \brief The name of a preset for users, in options and files: "auto" or "paper". */
 PCL_CREST_EXPORT std::string
 nameOf (Preset preset);
-
-/** \brief The preset of a name; none if it is none of presetNames. */
-PCL_CREST_EXPORT std::optional<Preset>
-presetNamed (const std::string& name);
 
 /** \brief S for one type, as it is set or as the preset has it. */
 PCL_CREST_EXPORT int

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Room base: loops over blocks on several threads, and beside them progress, stopwatch,
+// large arrays, disjoint sets, and sorting by bits.
+//
+// Arrays go in and out, and what comes out does not depend on the number of threads. It
+// knows nothing of points and surfaces.
 #pragma once
 
 #include "base/progress.h"

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines along sharp edges, for the auto preset.
+// Room creases: lines along sharp edges, for the auto preset.
+//
+// Samples and their graph go in. Out come the edges between pairs of planes (Pearson
+// 1901; two_planes.h, creases.h), chained, joined and made lines of here, the profiles
+// beside them (sharp_profiles.h), and their links into smooth crests (sharp_links.h).
+// They are edges of the crest graph, so that the room stands on the room lines.
 #pragma once
 
 #include "creases/creases.h"

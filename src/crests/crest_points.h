@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paper, section 4.3: crest point classification.
+// Room crests: paper, section 4.3, crest point classification.
+//
+// Curvatures go in, ridge and valley points come out: here by the threshold M, as in
+// the paper; for the auto preset by profiles of the curvature (crest_profile.h,
+// profile_points.h), with how far a crest stands out (crest_prominence.h) and where it
+// runs between the samples (crest_feet.h). It knows nothing of lines.
 #pragma once
 
 #include <pcl_crest/parameters.h>

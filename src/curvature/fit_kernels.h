@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "base/simd.h"
 #include "curvature/lanes.h"
+#include "search/simd.h"
 
 namespace pcl {
 namespace crest {

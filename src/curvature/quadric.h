@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paper, section 4.2: curvature approximation.
+// Room curvature: paper, section 4.2, curvature approximation.
+//
+// Samples and their graph go in, principal curvatures come out: here from the quadric
+// of each star (Hamann 1993), as in the paper; in scale_fit.h from cubics at a scale,
+// with their errors, over the averaged samples of pyramid.h. It knows nothing of
+// crests.
 #pragma once
 
 #include <pcl_crest/principal_curvature.h>
 
-#include "base/simd.h"
+#include "search/simd.h"
 #include "surface/surface_graph.h"
 
 namespace pcl {

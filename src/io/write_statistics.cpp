@@ -38,7 +38,7 @@ describe (const Parameters& p)
   else
     json["k"] = p.k;
   json["search"] = p.batched_search && !(p.radius > 0.0) ? "batched" : "kdtree";
-  json["preset"] = p.preset == Preset::AUTO ? "auto" : "paper";
+  json["preset"] = nameOf (p.preset);
   json["points_per_quadrant"] = p.points_per_quadrant;
   json["max_normal_angle"] = p.max_normal_angle;
   if (p.preset == Preset::PAPER) {

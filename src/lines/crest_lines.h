@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paper, section 4.7: the lines, and removing small ones.
+// Room lines: paper, sections 4.4 to 4.7; here 4.7, the lines, and removing small ones.
+//
+// Crest points go in, lines come out, by region growing (4.4, region_growing.h),
+// minimum spanning forests (4.5, spanning_forest.h) and branch pruning (4.6,
+// branch_pruning.h). For the auto preset loops are closed (crest_loops.h), lines judged
+// (crest_significance.h) and smoothed (line_smoothing.h); line_measures.h measures
+// them. It knows nothing of sharp edges but their profiles, and not which preset calls
+// it.
 #pragma once
 
 #include <pcl_crest/crest_line.h>

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Normals for clouds that have none.
+// Room normals: normals for clouds that have none, estimated and turned to one side of
+// the surface (Hoppe et al. 1992), or taken from faces.
+//
+// Positions, perhaps faces or a viewpoint, go in; a normal for each comes out, and how
+// its side was decided. How planes are fitted and neighbours found is given by the
+// caller. It knows nothing of files, and nothing of the stages that use normals.
 #pragma once
 
 #include <pcl_crest/export.h>

@@ -49,13 +49,13 @@ absoluteMaximality (const Parameters& parameters, double extent)
           parameters.maximality.valley / (unit * unit)};
 }
 
-std::vector<std::string>
-presetNames ()
+std::vector<Preset>
+presets ()
 {
-  std::vector<std::string> names;
+  std::vector<Preset> presets;
   for (const Pipeline* const pipeline : allPipelines())
-    names.push_back (pipeline->name());
-  return names;
+    presets.push_back (pipeline->preset());
+  return presets;
 }
 
 std::string
@@ -63,15 +63,6 @@ nameOf (Preset preset)
 {
   const Pipeline* const pipeline = findPipeline (preset);
   return pipeline != nullptr ? pipeline->name() : "";
-}
-
-std::optional<Preset>
-presetNamed (const std::string& name)
-{
-  for (const Pipeline* const pipeline : allPipelines())
-    if (pipeline->name() == name)
-      return pipeline->preset();
-  return std::nullopt;
 }
 
 int

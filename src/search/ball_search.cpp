@@ -8,6 +8,9 @@ namespace crest {
 
 namespace {
 
+/** \brief In doubles, as a place may be so far from the points that floats of their
+ * unit do not reach it.
+ */
 class BallSearch {
 public:
   BallSearch (const PointTree& tree,
@@ -16,11 +19,9 @@ public:
               std::vector<std::int32_t>& found)
   : tree_ (tree), found_ (found)
   {
-    const double scale = 1.0 / tree.unit;
     for (int axis = 0; axis < 3; ++axis)
-      centre_[axis] = static_cast<float> (scale * centre[axis]);
-    const auto scaled = static_cast<float> (scale * radius);
-    squared_radius_ = scaled * scaled;
+      centre_[axis] = centre[axis] / tree.unit;
+    squared_radius_ = (radius / tree.unit) * (radius / tree.unit);
   }
 
   /** \brief Visits what is below a group of boxes. */
@@ -28,12 +29,12 @@ public:
   visit (std::size_t level, std::size_t group)
   {
     const BoxGroup& boxes = tree_.levels[level][group];
-    float squared[LEAF_SIZE] = {};
+    double squared[LEAF_SIZE] = {};
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < LEAF_SIZE; ++i) {
-        const float below = boxes.low[axis][i] - centre_[axis];
-        const float above = centre_[axis] - boxes.high[axis][i];
-        const float outside = std::max (std::max (below, above), 0.0F);
+        const double below = boxes.low[axis][i] - centre_[axis];
+        const double above = centre_[axis] - boxes.high[axis][i];
+        const double outside = std::max (std::max (below, above), 0.0);
         squared[i] += outside * outside;
       }
     for (int i = 0; i < LEAF_SIZE; ++i)
@@ -51,18 +52,18 @@ private:
   take (const PointLeaf& leaf)
   {
     for (int i = 0; i < LEAF_SIZE; ++i) {
-      const float x = leaf.x[i] - centre_[0];
-      const float y = leaf.y[i] - centre_[1];
-      const float z = leaf.z[i] - centre_[2];
-      if ((x * x + y * y) + z * z < squared_radius_)
+      const double x = leaf.x[i] - centre_[0];
+      const double y = leaf.y[i] - centre_[1];
+      const double z = leaf.z[i] - centre_[2];
+      if (x * x + y * y + z * z < squared_radius_)
         found_.push_back (leaf.index[i]);
     }
   }
 
   const PointTree& tree_;
   std::vector<std::int32_t>& found_;
-  float centre_[3];
-  float squared_radius_;
+  double centre_[3];
+  double squared_radius_;
 };
 
 } // namespace

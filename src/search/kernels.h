@@ -3,8 +3,8 @@
 // fits rank neighbours by them, too. All compute the same floats in the same order.
 #pragma once
 
-#include "base/simd.h"
 #include "search/point_tree.h"
+#include "search/simd.h"
 
 namespace pcl {
 namespace crest {

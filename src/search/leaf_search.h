@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest neighbours of all points, leaf by leaf.
+// Room search: the nearest neighbours of all points, leaf by leaf; the tree that holds
+// the points (Bentley 1975), and all points within a radius.
+//
+// Positions go in, places in the tree come out, in exactly the order that comparing all
+// points would give. It knows no normals, and neither PCL nor a surface.
 #pragma once
 
-#include "base/simd.h"
 #include "search/point_tree.h"
+#include "search/simd.h"
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 
 #include <pcl_crest/types.h>
 
-#include "base/simd.h"
+#include "search/simd.h"
 
 #include <cstddef>
 #include <cstdint>

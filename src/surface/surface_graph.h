@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paper, section 4.1: generating topological information.
+// Room surface: paper, section 4.1, generating topological information.
+//
+// A cloud with normals goes in. Out come its samples (oriented_points.h), the candidate
+// neighbours of each (neighbor_search.h), and of these the ones that the quadrant
+// filter keeps, as a symmetric graph that knows its spacing and its border. It knows
+// nothing of curvature.
 #pragma once
 
 #include "base/progress.h"

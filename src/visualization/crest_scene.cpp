@@ -13,6 +13,8 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "visualization/surface_splats.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -162,7 +164,7 @@ CrestScene::~CrestScene() { renderer_->RemoveObserver (observer_); }
 void
 CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
 {
-  setCloud (cloud, makeSurfaceSplats (*cloud));
+  setCloud (cloud, *makeSurfaceSplats (*cloud));
 }
 
 void

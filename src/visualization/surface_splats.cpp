@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/visualization/surface_splats.h>
+#include "visualization/surface_splats.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -96,10 +96,11 @@ splatRadii (const OrientedPoints& points, const Neighborhoods& neighborhoods)
 
 } // namespace
 
-SurfaceSplats
+std::shared_ptr<const SurfaceSplats>
 makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud)
 {
-  SurfaceSplats splats;
+  const auto result = std::make_shared<SurfaceSplats>();
+  SurfaceSplats& splats = *result;
   splats.polygons = vtkSmartPointer<vtkPolyData>::New();
   const OrientedPoints points =
       packOrientedPoints ({&cloud.points.data()->x,
@@ -108,7 +109,7 @@ makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud)
                            cloud.size()});
   // A single point has no spacing to take its size from.
   if (points.size() < 2)
-    return splats;
+    return result;
   const Neighborhoods neighborhoods = findNeighborhoods (points);
   const std::vector<float> radii = splatRadii (points, neighborhoods);
 
@@ -137,7 +138,7 @@ makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud)
   splats.polygons->GetPointData()->SetNormals (normals);
   splats.points = points.cloud_index;
   splats.radius = median (radii);
-  return splats;
+  return result;
 }
 
 } // namespace crest

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The C++ of README must stand in EXAMPLE, which is built, line by line as it is.
+# The C++ of README must stand in the example, which is built, line by line as it is.
 file(READ "${README}" readme)
+set(EXAMPLE "${EXAMPLES}/crest_lines.cpp")
 file(READ "${EXAMPLE}" example)
 string(REGEX MATCH "```cpp\n(.*)```\n\nThat is from" found "${readme}")
 if(NOT found)

@@ -265,10 +265,10 @@ TEST (CommandLine, IsReadBackAsItWas)
     Parameters read;
     Options options;
     addEstimationOptions (options, read);
-    std::vector<std::string> files;
+    Arguments taken;
     EXPECT_EQ (
         takeArguments (
-            static_cast<int> (argv.size()), argv.data(), {}, options, read, files),
+            static_cast<int> (argv.size()), argv.data(), {}, options, read, taken),
         "");
     EXPECT_EQ (optionsOf (read), optionsOf (p));
     EXPECT_EQ (read.maximality.ridge, p.maximality.ridge);

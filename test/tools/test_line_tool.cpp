@@ -3,6 +3,7 @@
 #include <pcl_crest/crest_line_estimation.h>
 #include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/io/write_lines.h>
+#include <pcl_crest/version.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -291,9 +293,33 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
                                "-stats ",      "-curvatures ",
                                "-search ",     "-quiet ",
                                "-h ",          "-estimate_normals ",
-                               "(default 24)"})
+                               "-version ",    "(default 24)"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
+}
+
+TEST_F (LineTool, VersionTellsOfPresetsAndKernels)
+{
+  std::string kernels;
+  for (const std::string& name : kernelNames())
+    kernels += (kernels.empty() ? "" : ", ") + name;
+  const std::string expected =
+      "pcl_crest_line_estimation " + version() +
+      "\npresets: auto (default), paper\nkernels: " + kernelNames().front() + " (of " +
+      kernels + ")\n";
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{
+           {"-version"}, {"--version"}, {"a", "-wrong", "--version", "b.pcd"}}) {
+    const Outcome result = run (arguments);
+    EXPECT_EQ (0, result.code);
+    EXPECT_EQ ("", result.error);
+    EXPECT_EQ (expected, result.out);
+  }
+  EXPECT_TRUE (std::regex_match (version(), std::regex ("[0-9]+\\.[0-9]+\\.[0-9]+")));
+#if defined(__x86_64__)
+  EXPECT_EQ (__builtin_cpu_supports ("avx2") != 0, kernelNames().front() == "avx2");
+#endif
+  EXPECT_EQ ("portable", kernelNames().back());
 }
 
 TEST_F (LineTool, QuietPrintsErrorsOnly)
@@ -315,6 +341,16 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "more"}, "found 3");
   expectUsageError ({in, out, "-quadrants", "2"}, "no option \"-quadrants\"");
   expectUsageError ({in, out, "--halp"}, "no option \"--halp\"");
+  expectUsageError ({in, out, "--k", "5"}, "no option \"--k\"");
+  expectUsageError ({in, out, "-k=5"}, "no option \"-k=5\"");
+  expectUsageError ({in, out, "-thr", "1"}, "no option \"-thr\"");
+  expectUsageError ({in, out, "-"}, "no option \"-\"");
+  expectUsageError ({in, out, "--"}, "no option \"--\"");
+  expectUsageError ({in, "k=5", out}, "found 3");
+  expectUsageError ({in, out, "-boundaries", "-boundaries"},
+                    "-boundaries is given twice");
+  // Of two values the one of the option that comes first in the usage.
+  expectUsageError ({in, out, "-M", "x", "-angle", "y"}, "-angle is \"y\"");
   expectUsageError ({in, out, "-k"}, "-k needs a value");
   expectUsageError ({in, out, "-lines", "-stats"}, "-lines needs a value");
   expectUsageError ({in, out, "-k", "8", "-k", "9"}, "-k is given twice");

@@ -243,6 +243,10 @@ TEST_F (Viewer, ExitsAsItsMistakesAre)
   std::string said;
   EXPECT_EQ (runViewer ("", "-h", &said), 0);
   EXPECT_NE (said.find ("-screenshot"), std::string::npos);
+  EXPECT_EQ (runViewer ("", "-wrong --version", &said), 0);
+  EXPECT_EQ (said.find ("pcl_crest_viewer "), 0U);
+  EXPECT_NE (said.find ("\npresets: auto (default), paper\nkernels: "),
+             std::string::npos);
   EXPECT_EQ (runViewer ("", ""), 1);
   EXPECT_EQ (runViewer ("", input + " " + input + screenshot), 1);
   EXPECT_EQ (runViewer ("", input + screenshot + " -size 0x9"), 1);

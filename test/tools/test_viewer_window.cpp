@@ -43,9 +43,9 @@ protected:
     options.prefix = directory_.file ("waves");
     options.size = {SIZE, SIZE};
     window_ = std::make_unique<ViewerWindow> (options);
-    const SurfaceSplats splats = makeSurfaceSplats (*cloud.points);
+    const auto splats = makeSurfaceSplats (*cloud.points);
     window_->show (std::make_unique<CrestSession> (std::move (cloud), parameters),
-                   splats);
+                   *splats);
   }
 
   void

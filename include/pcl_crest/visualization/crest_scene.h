@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Room visualization: clouds, lines, charts and views in windows and pictures of VTK,
+// which no other room knows. It shows what others have computed.
 #pragma once
 
 #include <pcl_crest/crest_line.h>
 #include <pcl_crest/export.h>
-#include <pcl_crest/visualization/surface_splats.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -15,6 +16,10 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
+#include <memory>
+#include <vector>
+
 namespace pcl {
 namespace crest {
 
@@ -24,6 +29,18 @@ namespace crest {
 PCL_CREST_EXPORT vtkSmartPointer<vtkPolyData>
 makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
                   const std::vector<CrestLine>& lines);
+
+struct SurfaceSplats;
+
+/** \brief Draws every valid point as a small polygon, large enough to reach its
+ * neighbours, so that the points cover the surface whatever their local density.
+ *
+ * The corners lie on the surface that the neighbours' tangent planes tell of, with the
+ * normals in between theirs: flat discs would shade a curved surface in facets, and
+ * stand out as beads along its edges. Points without a normal are not drawn.
+ */
+PCL_CREST_EXPORT std::shared_ptr<const SurfaceSplats>
+makeSurfaceSplats (const pcl::PointCloud<pcl::PointNormal>& cloud);
 
 /** \brief A cloud as a grey surface with its crest lines, on white: what a window or a
  * picture shows. Its renderer can be put into any vtkRenderWindow, or be given to

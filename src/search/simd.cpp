@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/simd.h"
+#include "search/simd.h"
 
 #include "search/kernels.h"
 
