@@ -10,7 +10,7 @@
 #include "curvature/quadric.h"
 #include "peak_memory.h"
 #include "search/leaf_search.h"
-#include "surface/neighbor_search.h"
+#include "surface/surface_graph.h"
 #include <benchmark/benchmark.h>
 #include <flann/flann.hpp>
 #include <nanoflann.hpp>
@@ -100,17 +100,18 @@ runAgain (const std::function<void (Parameters&)>& change,
 Counters
 curvatureBySimd (const Cloud& cloud, unsigned threads)
 {
-  pcl::CrestLineEstimation<PointNormal> estimation;
-  estimation.setInputCloud (cloud.points);
-  estimation.setPreset (Preset::PAPER);
-  estimation.setKeepAnalysis (true);
-  pcl::PointCloud<pcl::Label> labels;
-  estimation.compute (labels);
-  const auto analysis = estimation.getAnalysis();
+  const pcl::crest::OrientedPoints points =
+      pcl::crest::packOrientedPoints ({&cloud.points->front().x,
+                                       &cloud.points->front().normal_x,
+                                       sizeof (PointNormal) / sizeof (float),
+                                       cloud.points->size()},
+                                      threads);
+  const pcl::crest::SurfaceGraph graph = pcl::crest::buildSurfaceGraph (
+      points, pcl::crest::treeOver (points.positions, threads), Parameters());
   const auto milliseconds = [&] (Simd simd) {
     const auto start = std::chrono::steady_clock::now();
-    benchmark::DoNotOptimize (pcl::crest::estimateCurvature (
-        *analysis->points, analysis->shape->graph, threads, simd));
+    benchmark::DoNotOptimize (
+        pcl::crest::estimateCurvature (points, graph, threads, simd));
     return std::chrono::duration<double, std::milli> (std::chrono::steady_clock::now() -
                                                       start)
         .count();

@@ -107,7 +107,7 @@ struct Parameters {
   double min_strength = 0.0;
 
   /** How far the surface at least turns across a line, on its average, in degrees.
-   * Below 25, lines may be lower, too (crest_significance.h). */
+   * Below 25, lines may be lower, too. */
   double angle = 25.0;
 
   /** Least length of a line, in spacings of the samples along it. */

@@ -49,7 +49,7 @@ searchOver (const OrientedPoints& points,
             const Parameters& parameters);
 
 /** \brief Calls use (point, found) for points of such a tree, with their candidate
- * neighbours: exactly those that kdTreeSearch finds for a k, the point among them.
+ * neighbours: exactly those that PCL's KdTree finds for a k, the point among them.
  * \param[in] first, last places in the tree; first is a multiple of LEAF_SIZE
  */
 void
