@@ -33,6 +33,11 @@ install(FILES "${PROJECT_BINARY_DIR}/pcl_crestConfig.cmake"
 
 # Relative to the .pc file, so that `cmake --install --prefix` may still choose.
 file(RELATIVE_PATH prefix_from_pc "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
+# What a static library does not bring along itself.
+set(PCL_CREST_STATIC_LIBS)
+if(NOT BUILD_SHARED_LIBS)
+  set(PCL_CREST_STATIC_LIBS " ${OpenMP_CXX_FLAGS}")
+endif()
 set(pc_files pcl_crest_core)
 if(PCL_CREST_BUILD_PCL)
   list(APPEND pc_files pcl_crest)

@@ -29,9 +29,8 @@ function(pcl_crest_library name)
   endif()
   set_target_properties(${compiled} PROPERTIES CXX_VISIBILITY_PRESET hidden
                                                VISIBILITY_INLINES_HIDDEN ON)
-  target_include_directories(
-    ${compiled} PRIVATE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
-                        "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>")
+  target_include_directories(${compiled} PRIVATE "${PROJECT_SOURCE_DIR}/include"
+                                                 "${PROJECT_SOURCE_DIR}/src")
 
   target_compile_features(${name} PUBLIC cxx_std_17)
   target_include_directories(

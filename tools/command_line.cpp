@@ -34,8 +34,9 @@ optionsOf (const Parameters& p)
 {
   const Parameters unset;
   std::string text;
-  if (p.preset == Preset::PAPER) {
+  if (p.preset != unset.preset)
     text += " -preset " + nameOf (p.preset);
+  if (p.preset == Preset::PAPER) {
     text += option ("-M_ridge", p.maximality.ridge, unset.maximality.ridge);
     text += option ("-M_valley", p.maximality.valley, unset.maximality.valley);
     text += p.absolute_maximality ? " -absolute" : "";

@@ -8,6 +8,9 @@
 #include <pcl_crest/progress.h>
 #include <pcl_crest/surface_analysis.h>
 
+#include <memory>
+#include <vector>
+
 namespace pcl {
 namespace crest {
 
@@ -105,21 +108,6 @@ private:
  */
 PCL_CREST_EXPORT Extraction
 extractCrests (const ExtractionRequest& request);
-
-/** \brief Finds points of another cloud in a cloud, by their exact positions.
- * \param[in] cloud, indices the points to find
- * \param[in] surface where to find them
- * \param[out] found for each of the indices the point of the surface that is there, of
- * several one with a normal, or -1 where the position is not finite
- *
- * \return the first of the indices whose finite position no point of the surface has,
- * or -1 if there is none
- */
-PCL_CREST_EXPORT index_t
-locatePoints (const PointView& cloud,
-              const std::vector<index_t>& indices,
-              const PointView& surface,
-              std::vector<index_t>& found);
 
 } // namespace crest
 } // namespace pcl

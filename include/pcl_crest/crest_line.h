@@ -4,6 +4,7 @@
 
 #include <pcl_crest/types.h>
 
+#include <array>
 #include <map>
 #include <vector>
 

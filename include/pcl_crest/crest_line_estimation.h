@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Room pcl: the method as a pcl::Feature. Clouds and searches of PCL go in; its labels,
-// curvatures, line sets and messages come out. All else is done by extractCrests
-// (crest_extraction.h), which knows no PCL.
+// The component pcl: the method as a pcl::Feature. Clouds and searches of PCL go in;
+// its labels, curvatures, line sets and messages come out. All else is done by
+// extractCrests (crest_extraction.h), which knows no PCL.
 #pragma once
 
 #include <pcl_crest/crest_extraction.h>
@@ -9,6 +9,9 @@
 #include <pcl/features/feature.h>
 #include <pcl/point_types.h>
 #include <pcl/PolygonMesh.h>
+
+#include <memory>
+#include <vector>
 
 namespace pcl {
 
@@ -402,11 +405,13 @@ private:
   bool keep_analysis_ = false;
   std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
   Result result_;
-  /** of all points of a surface, as long as what they were made of is kept */
-  struct {
+  /** \brief Those of all points of a surface, for as long as what they were made of is
+   * kept. */
+  struct KnownCurvatures {
     std::weak_ptr<const std::vector<crest::PrincipalCurvature>> source;
     pcl::PointCloud<pcl::PrincipalCurvatures>::ConstPtr cloud;
-  } known_curvatures_;
+  };
+  KnownCurvatures known_curvatures_;
 };
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 // What goes in: a cloud as plain arrays, and searches for neighbours in it.
 #pragma once
 
+#include <pcl_crest/export.h>
 #include <pcl_crest/types.h>
 
 #include <Eigen/Core>
@@ -52,6 +53,21 @@ using NeighborSearch = std::function<void (index_t point, std::vector<index_t>& 
  */
 using SearchMaker = std::function<NeighborSearch (
     const std::vector<Eigen::Vector3f>& points, int k, double radius)>;
+
+/** \brief Finds points of another cloud in a cloud, by their exact positions.
+ * \param[in] cloud, indices the points to find
+ * \param[in] surface where to find them
+ * \param[out] found for each of the indices the point of the surface that is there, of
+ * several one with a normal, or -1 where the position is not finite
+ *
+ * \return the first of the indices whose finite position no point of the surface has,
+ * or -1 if there is none
+ */
+PCL_CREST_EXPORT index_t
+locatePoints (const PointView& cloud,
+              const std::vector<index_t>& indices,
+              const PointView& surface,
+              std::vector<index_t>& found);
 
 } // namespace crest
 } // namespace pcl

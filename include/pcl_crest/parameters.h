@@ -76,7 +76,8 @@ struct Parameters {
 
   /** Whether the k neighbours are found by the library's own search, leaf by leaf,
    * several times as fast as PCL's KdTree; the result is the same. A radius search, and
-   * one set by the user, are not concerned. */
+   * one set by the user, are not concerned. Where there is no PCL, it is used anyway.
+   */
   bool batched_search = false;
 
   /** Neighbours kept in each quadrant of the tangent plane, one for each interval of

@@ -32,9 +32,6 @@ struct Sample {
  */
 class PCL_CREST_EXPORT SurfaceAnalysis {
 public:
-  struct Contents;
-
-  explicit SurfaceAnalysis (std::unique_ptr<const Contents> contents);
   ~SurfaceAnalysis();
   SurfaceAnalysis (const SurfaceAnalysis&) = delete;
   SurfaceAnalysis&
@@ -56,14 +53,12 @@ public:
   index_t
   sampleOf (index_t point) const;
 
-  /** \brief For the stages alone. */
-  const Contents&
-  contents () const
-  {
-    return *contents_;
-  }
-
 private:
+  friend struct AnalysisAccess;
+  struct Contents;
+
+  explicit SurfaceAnalysis (std::unique_ptr<const Contents> contents);
+
   std::unique_ptr<const Contents> contents_;
 };
 

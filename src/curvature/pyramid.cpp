@@ -5,7 +5,6 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

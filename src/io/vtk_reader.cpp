@@ -6,8 +6,6 @@
 #include "io/file_content.h"
 #include "io/number_type.h"
 
-#include <cmath>
-
 namespace pcl {
 namespace crest {
 

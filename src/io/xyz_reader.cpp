@@ -2,7 +2,6 @@
 // Text with a point a line: x y z, or x y z nx ny nz.
 #include "io/file_content.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl {

@@ -2,10 +2,11 @@
 // The graph of nearest neighbours that signs of normals are carried along.
 #pragma once
 
+#include <pcl_crest/types.h>
+
 #include <Eigen/Core>
 
-#include "search/position_tree.h"
-
+#include <functional>
 #include <tuple>
 #include <vector>
 

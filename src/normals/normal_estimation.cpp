@@ -72,11 +72,12 @@ estimateNormals (const PointView& cloud,
                  unsigned threads,
                  std::vector<Eigen::Vector3f>& normals)
 {
-  normals.assign (cloud.size, Eigen::Vector3f::Zero());
   const DistinctPoints distinct = takeDistinct (cloud);
   Orientation orientation;
-  if (distinct.positions.empty())
+  if (distinct.positions.empty()) {
+    normals.assign (cloud.size, Eigen::Vector3f::Zero());
     return orientation;
+  }
   std::vector<Eigen::Vector3f> found;
   library.fit_planes (distinct.positions, k, threads, found);
   std::optional<Eigen::Vector3f> seen_from;
@@ -84,6 +85,7 @@ estimateNormals (const PointView& cloud,
     seen_from = distinct.fromCloud (*viewpoint);
   orientation = orientNormals (
       distinct.positions, seen_from, organized, library.find_nearest, threads, found);
+  normals.assign (cloud.size, Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i < cloud.size; ++i)
     if (distinct.of_point[i] >= 0)
       normals[i] = found[distinct.of_point[i]];

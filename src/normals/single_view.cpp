@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "normals/signed_sets.h"
 #include "search/ball_search.h"
+#include "search/position_tree.h"
 
 #include <algorithm>
 #include <atomic>

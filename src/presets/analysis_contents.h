@@ -9,7 +9,8 @@
 namespace pcl {
 namespace crest {
 
-struct SurfaceAnalysis::Contents {
+/** \brief What an analysis keeps. */
+struct AnalysisContents {
   /** of the cloud (see fingerprint) */
   std::uint64_t cloud = 0;
   std::shared_ptr<const OrientedPoints> points;
@@ -19,6 +20,15 @@ struct SurfaceAnalysis::Contents {
   /** that it was made with */
   Parameters parameters;
 };
+
+struct SurfaceAnalysis::Contents : AnalysisContents {};
+
+/** \brief An analysis that keeps this. */
+std::shared_ptr<const SurfaceAnalysis>
+makeAnalysis (AnalysisContents contents);
+
+const AnalysisContents&
+contentsOf (const SurfaceAnalysis& analysis);
 
 /** \brief The first parameter that the shape of a surface depends on and that differs:
  * its name and both values, in words for the user. Empty if the shape is the same.

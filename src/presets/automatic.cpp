@@ -153,23 +153,24 @@ public:
   }
 
   std::string
-  explainStranger (const Parameters& parameters) const override
+  ownParameter (const Parameters& parameters) const override
   {
     const Parameters unset;
-    std::string stranger;
-    if (parameters.maximality.ridge != unset.maximality.ridge ||
-        parameters.maximality.valley != unset.maximality.valley)
-      stranger = "M";
-    else if (parameters.absolute_maximality)
-      stranger = "the absolute unit of M";
-    else if (parameters.prune != unset.prune)
-      stranger = "the largest branch to prune";
-    else
-      return {};
-    return stranger +
-           " is set, but belongs to the preset paper: choose that with setPreset "
-           "(Preset::PAPER), or set the turning angle, the least length or the "
-           "confidence of the preset auto instead";
+    if (parameters.angle != unset.angle)
+      return "the turning angle";
+    if (parameters.min_length != unset.min_length)
+      return "the least length of a line";
+    if (parameters.confidence != unset.confidence)
+      return "the confidence";
+    if (parameters.positions != unset.positions)
+      return "where lines run";
+    return {};
+  }
+
+  std::string
+  ownAlternative () const override
+  {
+    return "the turning angle, the least length or the confidence";
   }
 
   int

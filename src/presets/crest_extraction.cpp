@@ -41,19 +41,26 @@ packedSearch (const NeighborSearch& given,
  * or the batched one.
  */
 NeighborSource
-neighborSource (const ExtractionRequest& request, const OrientedPoints& points)
+neighborSource (const ExtractionRequest& request,
+                const OrientedPoints& points,
+                Stopwatch& watch,
+                Progress& progress)
 {
   const Parameters& parameters = request.parameters;
   const bool radius = parameters.radius > 0.0;
   if (request.search)
     return packedSearch (request.search, request.cloud, points, parameters);
+  progress.beginStage ("search tree", PACKED);
+  NeighborSource source;
   if (request.make_search && (radius || !parameters.batched_search))
-    return searchOver (points, request.make_search, parameters);
-  std::shared_ptr<const PointTree> tree =
-      treeOver (points.positions, parameters.threads);
-  if (radius)
-    return radiusSearch (points, tree, parameters.radius);
-  return tree;
+    source.pointwise = searchOver (points, request.make_search, parameters);
+  else {
+    source.tree = treeOver (points.positions, parameters.threads);
+    if (radius)
+      source.pointwise = radiusSearch (points, source.tree, parameters.radius);
+  }
+  watch.stageDone ("search tree");
+  return source;
 }
 
 void
@@ -67,19 +74,26 @@ checkRequest (const ExtractionRequest& request)
             " points is too large for 32-bit indices, which tell " +
             std::to_string (MOST_POINTS) +
             " points apart: compute it in parts that overlap");
+  if (request.cloud.size > 0 &&
+      (request.cloud.position == nullptr || request.cloud.normal == nullptr))
+    refuse ("The cloud has no positions or no normals: point to three floats of each");
+  if (request.cloud.size > 1 && request.cloud.stride < 3)
+    refuse ("The stride of the cloud is " + std::to_string (request.cloud.stride) +
+            ", but must be at least 3 floats");
   const std::string invalid = explainInvalid (request.parameters);
   if (!invalid.empty())
     refuse ("Invalid parameter: " + invalid);
   if (!request.analysis)
     return;
-  const SurfaceAnalysis::Contents& known = request.analysis->contents();
+  const AnalysisContents& known = contentsOf (*request.analysis);
   const std::string other = explainOtherShape (known.parameters, request.parameters);
   if (!other.empty())
     refuse ("The analysis that is set was made with " + other +
-            ": call setAnalysis (nullptr), or set what it was made with");
+            ": set none, or what it was made with");
   if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
-    refuse ("The analysis that is set is that of another cloud: call "
-            "setAnalysis (nullptr) when the cloud has changed");
+    refuse (
+        "The analysis that is set is that of another cloud: set none when the cloud "
+        "has changed");
 }
 
 /** \brief Lines with indices into the cloud. */
@@ -125,7 +139,7 @@ extractCrests (const ExtractionRequest& request)
   std::shared_ptr<OrientedPoints> own_points;
   std::shared_ptr<SurfaceShape> own_shape;
   if (request.analysis) {
-    const SurfaceAnalysis::Contents& known = request.analysis->contents();
+    const AnalysisContents& known = contentsOf (*request.analysis);
     points = known.points;
     shape = known.shape;
     if (haveSameTrace (known.parameters, parameters))
@@ -136,9 +150,7 @@ extractCrests (const ExtractionRequest& request)
     points = own_points = std::make_shared<OrientedPoints> (
         packOrientedPoints (request.cloud, parameters.threads));
     watch.stageDone ("packing");
-    beginStage (&progress, "search tree", PACKED);
-    NeighborSource neighbors = neighborSource (request, *points);
-    watch.stageDone ("search tree");
+    NeighborSource neighbors = neighborSource (request, *points, watch, progress);
     shape = own_shape =
         pipeline.analyzeSurface (*points, std::move (neighbors), parameters, &progress);
     times.insert (times.end(), shape->times.begin(), shape->times.end());
@@ -171,14 +183,13 @@ extractCrests (const ExtractionRequest& request)
     if (parameters.wanted[type])
       result.statistics.line_sizes[type] = traced->sizes[type];
   if (request.keep_analysis)
-    result.analysis = std::make_shared<const SurfaceAnalysis> (
-        std::make_unique<const SurfaceAnalysis::Contents> (SurfaceAnalysis::Contents{
-            request.analysis ? request.analysis->contents().cloud
-                             : fingerprint (request.cloud, parameters.threads),
-            points,
-            shape,
-            traced,
-            parameters}));
+    result.analysis = makeAnalysis (
+        {request.analysis ? contentsOf (*request.analysis).cloud
+                          : fingerprint (request.cloud, parameters.threads),
+         points,
+         shape,
+         traced,
+         parameters});
   if (own_shape) {
     result.curvatures = std::make_shared<const std::vector<PrincipalCurvature>> (
         std::move (own_shape->curvature));
@@ -188,9 +199,13 @@ extractCrests (const ExtractionRequest& request)
   }
   else
     result.curvatures = {shape, &shape->curvature};
-  result.sample_of = {points, &points->packed_index};
   result.places = placesOfLines (*points, selected);
   result.lines = linesOfCloud (*points, std::move (selected.lines));
+  if (own_points)
+    result.sample_of = std::make_shared<const std::vector<index_t>> (
+        std::move (own_points->packed_index));
+  else
+    result.sample_of = {points, &points->packed_index};
   progress.finish();
   return result;
 }

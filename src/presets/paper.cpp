@@ -58,22 +58,17 @@ public:
   }
 
   std::string
-  explainStranger (const Parameters& parameters) const override
+  ownParameter (const Parameters& parameters) const override
   {
     const Parameters unset;
-    std::string stranger;
-    if (parameters.angle != unset.angle)
-      stranger = "the turning angle";
-    else if (parameters.min_length != unset.min_length)
-      stranger = "the least length of a line";
-    else if (parameters.confidence != unset.confidence)
-      stranger = "the confidence";
-    else if (parameters.positions != unset.positions)
-      stranger = "where lines run";
-    else
-      return {};
-    return stranger + " is set, but belongs to the preset auto: choose that with "
-                      "setPreset (Preset::AUTO)";
+    if (parameters.maximality.ridge != unset.maximality.ridge ||
+        parameters.maximality.valley != unset.maximality.valley)
+      return "M";
+    if (parameters.absolute_maximality)
+      return "the absolute unit of M";
+    if (parameters.prune != unset.prune)
+      return "the largest branch to prune";
+    return {};
   }
 
   int

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "presets/pipeline.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -34,6 +36,29 @@ complainOfTypes (const std::string& name,
     return {};
   const char* const of_type = valley ? " of ridges" : ridge ? " of valleys" : "";
   return complain (name + of_type, ridge ? values.valley : values.ridge, wanted);
+}
+
+/** \brief What is set though another preset than the chosen one has it. */
+std::string
+complainOfForeign (const Parameters& p, const Pipeline& chosen)
+{
+  for (const Pipeline* const other : allPipelines()) {
+    const std::string foreign = other != &chosen ? other->ownParameter (p) : "";
+    if (foreign.empty())
+      continue;
+    std::string value = other->name();
+    std::transform (value.begin(), value.end(), value.begin(), [] (char c) {
+      return static_cast<char> (std::toupper (static_cast<unsigned char> (c)));
+    });
+    std::string message = foreign + " is set, but belongs to the preset ";
+    message += other->name() + ": choose that with setPreset (Preset::" + value;
+    message += ")";
+    const std::string instead = chosen.ownAlternative();
+    if (!instead.empty())
+      message += ", or set " + instead + " of the preset " + chosen.name() + " instead";
+    return message;
+  }
+  return {};
 }
 
 } // namespace
@@ -94,9 +119,9 @@ explainInvalid (const Parameters& p)
     return complain ("the largest angle between neighbouring normals",
                      p.max_normal_angle,
                      "above 0 and at most 180 degrees");
-  std::string stranger = pipeline->explainStranger (p);
-  if (!stranger.empty())
-    return stranger;
+  std::string foreign = complainOfForeign (p, *pipeline);
+  if (!foreign.empty())
+    return foreign;
   std::string wrong_maximality = complainOfTypes (
       "M",
       p.maximality,

@@ -6,7 +6,9 @@
 // points and lines. The steps are values, so that a threshold that changes repeats only
 // what it is for: an analysis depends on none, crest points on M or the confidence,
 // lines on how they are pruned, the selection on S and what else chooses among lines.
-// To add a preset, add a file, its name to Preset, and its pipeline to pipelines.cpp.
+// To add a preset, add a file, its name to Preset, and its pipeline to pipelines.cpp;
+// parameters of its own have to be named where those of the others are (Parameters,
+// options, statistics).
 #pragma once
 
 #include "lines/line_smoothing.h"
@@ -59,11 +61,20 @@ public:
   virtual std::string
   name () const = 0;
 
-  /** \brief Which parameter is set though this preset does not have it, and what to do
-   * about that, in words for the user; empty if none is.
+  /** \brief Which of the parameters that this preset alone has is set, in words for the
+   * user; empty if none is.
    */
   virtual std::string
-  explainStranger (const Parameters& parameters) const = 0;
+  ownParameter (const Parameters& parameters) const = 0;
+
+  /** \brief What may be set instead of what other presets have, in words that go on
+   * from "or set"; empty if nothing does nearly the same.
+   */
+  virtual std::string
+  ownAlternative () const
+  {
+    return {};
+  }
 
   /** \brief S where none is set. */
   virtual int

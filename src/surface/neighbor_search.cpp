@@ -5,8 +5,8 @@
 #include "search/leaf_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 namespace pcl {
@@ -14,7 +14,7 @@ namespace crest {
 
 namespace {
 
-/** \brief What findNeighbors finds, where the point itself is the first of the k. */
+/** \brief The point itself is the first of the k. */
 NeighborCount
 candidateCount (int k)
 {
@@ -119,6 +119,8 @@ searchOver (const OrientedPoints& points,
   for (const Eigen::Vector3f& p : points.positions)
     scaled.emplace_back ((scale * p.cast<double>()).cast<float>());
   NeighborSearch search = make (scaled, parameters.k, scale * parameters.radius);
+  if (!search)
+    throw std::invalid_argument ("The search maker of the request made no search");
   if (parameters.radius > 0.0)
     return search;
   return [&points, search = std::move (search), k = parameters.k] (

@@ -49,8 +49,9 @@ searchOver (const OrientedPoints& points,
             const Parameters& parameters);
 
 /** \brief Calls use (point, found) for points of such a tree, with their candidate
- * neighbours: exactly those that PCL's KdTree finds for a k, the point among them.
- * \param[in] first, last places in the tree; first is a multiple of LEAF_SIZE
+ * neighbours: the k nearest, the point among them, and those equally far (see
+ * keepNearest). \param[in] first, last places in the tree; first is a multiple of
+ * LEAF_SIZE
  */
 void
 visitLeaves (
@@ -76,6 +77,7 @@ radiusSearch (const OrientedPoints& points,
  * point, or where that is empty the batched search in a tree.
  */
 struct NeighborSource {
+  NeighborSource() = default;
   NeighborSource (NeighborSearch search) : pointwise (std::move (search)) {}
   NeighborSource (std::shared_ptr<const PointTree> batched) : tree (std::move (batched))
   {}

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/oriented_points.h"
 
-#include <pcl_crest/crest_extraction.h>
-
 #include "base/large_arrays.h"
 #include "base/parallel.h"
 #include "base/radix_sort.h"
@@ -10,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>

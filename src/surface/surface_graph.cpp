@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -306,11 +307,12 @@ buildSurfaceGraph (const OrientedPoints& points,
   const auto filter = [&] (const auto& candidates) {
     filterNeighbors (points, candidates, parameters, workers, stars, graph);
   };
+  assert (source.pointwise || source.tree);
   if (source.pointwise)
     filter (PointwiseCandidates{source.pointwise, parameters.radius});
   else
     filter (BatchedCandidates{*source.tree, parameters.k});
-  source = NeighborSource (NeighborSearch());
+  source = NeighborSource();
   symmetrize (stars, workers, graph);
   return graph;
 }

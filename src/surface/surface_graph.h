@@ -11,8 +11,6 @@
 #include "surface/neighbor_search.h"
 #include "surface/star_offsets.h"
 
-#include <memory>
-
 namespace pcl {
 namespace crest {
 

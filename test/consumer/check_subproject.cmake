@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds a project in SCRATCH that has PCL_CREST as a subdirectory: its core alone, without
-# PCL. Then configures it with what there is by default.
+# PCL, and where there is PCL the adapter as it is by default.
 cmake_policy(VERSION 3.22)
 include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 file(REMOVE_RECURSE "${SCRATCH}")
@@ -12,4 +12,7 @@ run("${CMAKE_COMMAND}" --build "${SCRATCH}/core" --parallel 2)
 if(NOT EXISTS "${SCRATCH}/core/programs/crest_arrays")
   message(FATAL_ERROR "The program is not where its own project puts programs.")
 endif()
-run(${configure} -B "${SCRATCH}/pcl")
+if(WITH_PCL)
+  run(${configure} -B "${SCRATCH}/pcl")
+  run("${CMAKE_COMMAND}" --build "${SCRATCH}/pcl" --target pcl_crest_objects --parallel 2)
+endif()

@@ -187,6 +187,19 @@ TEST (CrestExtraction, SaysWhatIsWrong)
       refusal<std::runtime_error> (request).find ("The search radius of 1 holds"),
       std::string::npos);
   request.parameters = Parameters();
+  request.cloud.stride = 2;
+  EXPECT_EQ (refusal<std::invalid_argument> (request),
+             "The stride of the cloud is 2, but must be at least 3 floats");
+  request.cloud = ridge.view();
+  request.cloud.normal = nullptr;
+  EXPECT_EQ (refusal<std::invalid_argument> (request),
+             "The cloud has no positions or no normals: point to three floats of each");
+  request.cloud = ridge.view();
+  request.make_search = [] (const std::vector<Eigen::Vector3f>&, int, double) {
+    return NeighborSearch();
+  };
+  EXPECT_EQ (refusal<std::invalid_argument> (request),
+             "The search maker of the request made no search");
   request.search = [] (index_t, std::vector<index_t>& found) { found = {0, 1 << 30}; };
   EXPECT_EQ (refusal<std::runtime_error> (request),
              "The search method returned points outside the cloud: it does not search "
@@ -245,9 +258,10 @@ TEST (CrestExtraction, AnAnalysisSparesTheStagesThatAreTheSame)
   request.analysis = first.analysis;
   request.parameters.preset = Preset::PAPER;
   request.parameters.angle = Parameters().angle;
-  EXPECT_EQ (refusal<std::invalid_argument> (request),
-             "The analysis that is set was made with the preset auto, not paper: call "
-             "setAnalysis (nullptr), or set what it was made with");
+  EXPECT_EQ (
+      refusal<std::invalid_argument> (request),
+      "The analysis that is set was made with the preset auto, not paper: set none, "
+      "or what it was made with");
   const Ridge other = [] {
     Ridge changed;
     changed.floats[2] += 1e-3F;
@@ -255,9 +269,10 @@ TEST (CrestExtraction, AnAnalysisSparesTheStagesThatAreTheSame)
   }();
   request.cloud = other.view();
   request.parameters = Parameters();
-  EXPECT_EQ (refusal<std::invalid_argument> (request),
-             "The analysis that is set is that of another cloud: call setAnalysis "
-             "(nullptr) when the cloud has changed");
+  EXPECT_EQ (
+      refusal<std::invalid_argument> (request),
+      "The analysis that is set is that of another cloud: set none when the cloud "
+      "has changed");
 }
 
 TEST (SurfaceAnalysis, KnowsTheSamples)
@@ -287,7 +302,7 @@ TEST (SurfaceAnalysis, KnowsTheSamples)
 
 TEST (Version, NamesThePortableKernelsLast)
 {
-  EXPECT_FALSE (version().empty());
+  EXPECT_EQ (version(), PCL_CREST_VERSION);
   ASSERT_FALSE (kernelNames().empty());
   EXPECT_EQ (kernelNames().back(), "portable");
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/crest_extraction.h>
-
 #include <gtest/gtest.h>
 
 #include "support/analytic_surface.h"

@@ -81,6 +81,8 @@ bool
 CrestLineEstimation<PointInT, PointOutT>::initCompute()
 {
   result_ = Result();
+  if (known_curvatures_.source.expired())
+    known_curvatures_ = KnownCurvatures();
   const auto refuse = [this] (const std::string& why) {
     PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), why.c_str());
     this->deinitCompute();
@@ -108,6 +110,10 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
   if (tree_ && parameters_.batched_search)
     return refuse ("Both a search method and the batched search are set: call "
                    "setSearchMethod (nullptr) or setUseBatchedSearch (false)");
+  const std::string invalid = crest::explainInvalid (getParameters());
+  if (!invalid.empty())
+    return refuse ("Invalid parameter: " + invalid);
+
   if (!surface_) {
     fake_surface_ = true;
     surface_ = input_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Room io: clouds from files, labels, curvatures, lines and statistics into files. Each
-// format has a reader of its own; nothing is written in part. It knows the clouds of
-// PCL, the lines and the normals, but none of the stages.
+// The component io: clouds from files, labels, curvatures, lines and statistics into
+// files. Each format has a reader of its own; nothing is written in part. It knows the
+// clouds of PCL, the lines and the normals, but none of the stages.
 #pragma once
 
 #include <pcl_crest/export.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Room visualization: clouds, lines, charts and views in windows and pictures of VTK,
-// which no other room knows. It shows what others have computed.
+// The component visualization: clouds, lines, charts and views in windows and pictures
+// of VTK, which no other room knows. It shows what others have computed.
 #pragma once
 
 #include <pcl_crest/crest_line.h>

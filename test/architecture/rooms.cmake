@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Every room of SOURCE includes itself and rooms below it alone; PCL, Boost, FLANN and VTK
+# Every room of SOURCE includes itself and rooms before it in this list alone; PCL, Boost, FLANN and VTK
 # are only included where they belong. Each source lies in a room.
 cmake_policy(VERSION 3.22)
 set(rooms base search normals surface curvature crests lines creases presets pcl io
@@ -10,6 +10,12 @@ file(GLOB loose "${SOURCE}/*.cpp" "${SOURCE}/*.h")
 if(loose)
   message(FATAL_ERROR "These lie in no room: ${loose}")
 endif()
+file(GLOB folders RELATIVE "${SOURCE}" "${SOURCE}/*")
+list(REMOVE_ITEM folders CMakeLists.txt ${rooms})
+if(folders)
+  message(FATAL_ERROR "These rooms have no floor here: ${folders}")
+endif()
+list(FIND rooms presets presets_floor)
 set(checked 0)
 foreach(room ${rooms})
   list(FIND rooms ${room} floor)
@@ -24,8 +30,15 @@ foreach(room ${rooms})
           message(SEND_ERROR "${file} includes upwards: ${include}")
         endif()
       endif()
-      if(include MATCHES "<(pcl|boost|flann)/|<vtk" AND room IN_LIST core)
+      if(include MATCHES "\"[^/]*\"")
+        message(SEND_ERROR "${file} does not say which room it includes from: ${include}")
+      endif()
+      if(room IN_LIST core AND include MATCHES
+         "<(pcl|boost|flann)/|<vtk|<pcl_crest/(crest_line_estimation|impl/|io/|visualization/)")
         message(SEND_ERROR "${file} of the core includes more than it may: ${include}")
+      endif()
+      if(include MATCHES "<pcl_crest/crest_extraction" AND floor LESS presets_floor)
+        message(SEND_ERROR "${file} includes what the presets make: ${include}")
       endif()
       if(include MATCHES "<vtk" AND NOT room STREQUAL "visualization")
         message(SEND_ERROR "${file} includes VTK: ${include}")
