@@ -87,6 +87,7 @@ traceLinesOf (CrestType type,
               const Parameters& parameters,
               Stopwatch& watch)
 {
+  // Times the radius of a fit: shorter loops are the spread of a crest's position.
   constexpr float LONGEST_CUT_LOOP = 6.0F;
   const SharpLines& sharp = shape.sharp_lines;
 
