@@ -2,7 +2,7 @@
 // pcl_crest_viewer: shows the crest lines of a file over its points, in a window or as
 // a picture. Exits with 0 when done, 1 on wrong usage, 2 where a file cannot be read or
 // written, there is not enough memory for it, or no display.
-#include <pcl_crest/visualization/picture.h>
+#include <pcl_crest/visualization/view.h>
 
 #include "io/output_file.h"
 #include "io/parse_number.h"

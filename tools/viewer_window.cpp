@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_window.h"
 
-#include <pcl_crest/visualization/picture.h>
+#include <pcl_crest/visualization/view.h>
 
 #include <pcl/console/print.h>
 

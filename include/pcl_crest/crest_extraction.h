@@ -4,6 +4,7 @@
 
 #include <pcl_crest/crest_line.h>
 #include <pcl_crest/input.h>
+#include <pcl_crest/normal_estimation.h>
 #include <pcl_crest/parameters.h>
 #include <pcl_crest/progress.h>
 #include <pcl_crest/surface_analysis.h>
@@ -16,8 +17,14 @@ namespace crest {
 
 /** \brief What to extract crest lines from, and how. */
 struct ExtractionRequest {
-  /** has to stay as it is until the extraction ends */
+  /** has to stay as it is until the extraction ends. Where it has no normals they are
+   * estimated (see estimateNormals) */
   PointView cloud{nullptr, nullptr, 0, 0};
+  /** of each point of the cloud how sure the sign of its normal is, 0 to 1 (see
+   * CrestLine::sign_trust); null where they are right, or are estimated */
+  const float* sign_trust = nullptr;
+  /** for the normals that are estimated */
+  NormalHints hints;
   Parameters parameters;
   /** finds candidate neighbours in the cloud, k of them or those within the radius, in
    * the place of all other searches; empty for none */
@@ -66,6 +73,8 @@ struct Extraction {
    * points; else empty, as they run through these */
   std::vector<LinePlace> places;
   ExtractionStatistics statistics;
+  /** null unless normals were estimated */
+  std::shared_ptr<const NormalEstimate> normals;
   /** null unless it was to be kept */
   std::shared_ptr<const SurfaceAnalysis> analysis;
 

@@ -50,6 +50,9 @@ struct CrestLine {
   /** mean radius that its curvatures were fitted over, in the cloud's unit; 0 for the
    * preset PAPER, which fits to stars */
   double scale = 0.0;
+  /** mean over its points of how sure the signs of their normals are, 0 to 1: below
+   * SURE_SIGN its type is a guess, where it runs is not */
+  double sign_trust = 1.0;
 };
 
 /** \brief How many lines there are of each size: the chart of section 4.7. */

@@ -16,13 +16,14 @@
 namespace pcl {
 
 /** \brief CrestLineEstimation extracts crest lines, that is ridges and valleys, from a
- * cloud of points with normals, by the method of G. Stylianou and Y. Chrysanthou,
+ * cloud of points, by the method of G. Stylianou and Y. Chrysanthou,
  * "Crest Line Extraction From Point Clouds". With the preset crest::Preset::AUTO, the
  * default, it finds the scale of each crest and the significance of each line by
  * itself; crest::Preset::PAPER is the method as published, with its threshold M.
  *
  * The method needs normals that point consistently to one side of the surface, outward
- * for closed ones: flipping them all swaps ridges and valleys.
+ * for closed ones: flipping them all swaps ridges and valleys. They are those of the
+ * points, or of setInputNormals; else compute estimates them by itself.
  *
  * \code
  * pcl::CrestLineEstimation<pcl::PointNormal> estimation;
@@ -49,19 +50,20 @@ namespace pcl {
  * and std::bad_alloc is thrown. A cloud without any usable point is no mistake: its
  * labels are all crest::LABEL_INVALID, and PCL_WARN says so.
  *
- * Compiled into the library for pcl::Label and PointNormal, PointXYZINormal,
- * PointXYZRGBNormal, PointXYZLNormal and PointSurfel; for other types include
+ * Compiled into the library for pcl::Label and PointXYZ, PointXYZI, PointXYZRGB,
+ * PointXYZRGBA, PointNormal, PointXYZINormal, PointXYZRGBNormal, PointXYZLNormal and
+ * PointSurfel; for other types include
  * pcl_crest/impl/crest_line_estimation.hpp, or define PCL_NO_PRECOMPILE.
  *
- * \tparam PointInT a point type with xyz and normal
+ * \tparam PointInT a point type with xyz, perhaps with normal
  * \tparam PointOutT a point type with a label; fields it shares with PointInT are
  * copied
  * \ingroup features
  */
 template <typename PointInT, typename PointOutT = pcl::Label>
 class PCL_CREST_EXPORT CrestLineEstimation : public Feature<PointInT, PointOutT> {
-  static_assert (pcl::traits::has_normal<PointInT>::value,
-                 "the input points need normals, as in pcl::PointNormal");
+  static_assert (pcl::traits::has_xyz<PointInT>::value,
+                 "the input points need x, y and z, as in pcl::PointXYZ");
   static_assert (pcl::traits::has_label<PointOutT>::value,
                  "the output points need a label, as in pcl::Label");
 
@@ -282,6 +284,45 @@ public:
     analysis_ = std::move (analysis);
   }
 
+  /** \brief Set the normals of the surface, the input cloud unless setSearchSurface is
+   * used, one for each of its points. They take the place of those in its points; null
+   * takes these again. Where neither has any, compute estimates them, as
+   * OrientedNormalEstimation does from 24 neighbours.
+   */
+  void
+  setInputNormals (const pcl::PointCloud<pcl::Normal>::ConstPtr& normals)
+  {
+    normals_ = normals;
+  }
+
+  /** \brief Set how sure the signs of the surface's normals are, one for each of its
+   * points, as OrientedNormalEstimation::getTrust tells (see CrestLine::sign_trust).
+   * Null for normals that are right.
+   */
+  void
+  setSignTrust (std::shared_ptr<const std::vector<float>> trust)
+  {
+    sign_trust_ = std::move (trust);
+  }
+
+  /** \brief Set where the cloud was seen from, in its unit, for the side of normals
+   * that compute estimates.
+   */
+  void
+  setViewPoint (float x, float y, float z)
+  {
+    hints_.viewpoint = Eigen::Vector3f (x, y, z);
+  }
+
+  /** \brief Set the side of open parts that no viewpoint decides, for normals that
+   * compute estimates; +z by default.
+   */
+  void
+  setUpDirection (float x, float y, float z)
+  {
+    hints_.up = Eigen::Vector3f (x, y, z);
+  }
+
   using Feature<PointInT, PointOutT>::compute;
 
   /** \brief Compute labels and lines.
@@ -323,6 +364,15 @@ public:
     return *result_.curvatures;
   }
 
+  /** \brief The normals that the last compute estimated for the surface; null where it
+   * had some.
+   */
+  const std::shared_ptr<const crest::NormalEstimate>&
+  getNormalEstimate () const
+  {
+    return result_.normals;
+  }
+
   /** \brief What the last compute found out beside its outputs. */
   using Statistics = crest::ExtractionStatistics;
   const Statistics&
@@ -359,6 +409,7 @@ private:
         pcl::make_shared<pcl::PointCloud<pcl::PrincipalCurvatures>>();
     Statistics statistics;
     std::shared_ptr<const crest::SurfaceAnalysis> analysis;
+    std::shared_ptr<const crest::NormalEstimate> normals;
   };
 
   void
@@ -396,14 +447,13 @@ private:
   bool
   prepareSearchMethod ();
 
-  /** \brief How the stages see a cloud of PCL. */
-  static crest::PointView
-  viewOf (const PointCloudIn& cloud);
-
   crest::Parameters parameters_;
   crest::ProgressCallback progress_callback_;
   bool keep_analysis_ = false;
   std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
+  pcl::PointCloud<pcl::Normal>::ConstPtr normals_;
+  std::shared_ptr<const std::vector<float>> sign_trust_;
+  crest::NormalHints hints_;
   Result result_;
   /** \brief Those of all points of a surface, for as long as what they were made of is
    * kept. */

@@ -2,7 +2,6 @@
 // What goes in: a cloud as plain arrays, and searches for neighbours in it.
 #pragma once
 
-#include <pcl_crest/export.h>
 #include <pcl_crest/types.h>
 
 #include <Eigen/Core>
@@ -14,13 +13,16 @@ namespace pcl {
 namespace crest {
 
 /** \brief Where a cloud keeps its positions and normals: three floats each, at
- * `position + i * stride` and `normal + i * stride`, strides in floats.
+ * `position + i * stride` and `normal + i * normal_stride`, strides in floats.
  */
 struct PointView {
   const float* position;
+  /** null where it has none */
   const float* normal;
   std::size_t stride;
   std::size_t size;
+  /** 0 where it is the same stride */
+  std::size_t normal_stride = 0;
 
   Eigen::Vector3f
   positionOf (std::size_t i) const
@@ -30,7 +32,8 @@ struct PointView {
   Eigen::Vector3f
   normalOf (std::size_t i) const
   {
-    return Eigen::Map<const Eigen::Vector3f> (normal + i * stride);
+    return Eigen::Map<const Eigen::Vector3f> (
+        normal + i * (normal_stride != 0 ? normal_stride : stride));
   }
 };
 

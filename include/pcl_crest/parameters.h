@@ -2,7 +2,6 @@
 // All parameters of the method, with their defaults and units, in one place.
 #pragma once
 
-#include <pcl_crest/export.h>
 #include <pcl_crest/types.h>
 
 #include <optional>

@@ -2,7 +2,7 @@
 // How far long work is, how to stop it, and what it took.
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <functional>
 #include <string>
@@ -16,8 +16,8 @@ namespace crest {
  */
 using ProgressCallback = std::function<bool (const std::string& stage, double done)>;
 
-/** \brief Thrown by extractCrests, and caught by CrestLineEstimation, where a callback
- * said not to go on.
+/** \brief Thrown by extractCrests and estimateNormals, and caught by
+ * CrestLineEstimation, where a callback said not to go on.
  */
 struct PCL_CREST_EXPORT Cancelled {};
 

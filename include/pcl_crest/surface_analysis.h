@@ -2,8 +2,6 @@
 // What can be used again when thresholds change.
 #pragma once
 
-#include <pcl_crest/export.h>
-#include <pcl_crest/principal_curvature.h>
 #include <pcl_crest/types.h>
 
 #include <memory>
@@ -25,6 +23,8 @@ struct Sample {
   bool boundary;
   PrincipalCurvature curvature;
 };
+
+struct AnalysisContents;
 
 /** \brief What is known of a cloud before thresholds choose among its lines (paper,
  * sections 4.1 and 4.2), and all lines at some thresholds. A value: it never changes,
@@ -54,12 +54,14 @@ public:
   sampleOf (index_t point) const;
 
 private:
-  friend struct AnalysisAccess;
-  struct Contents;
+  friend std::shared_ptr<const SurfaceAnalysis>
+  makeAnalysis (AnalysisContents contents);
+  friend const AnalysisContents&
+  contentsOf (const SurfaceAnalysis& analysis);
 
-  explicit SurfaceAnalysis (std::unique_ptr<const Contents> contents);
+  explicit SurfaceAnalysis (AnalysisContents contents);
 
-  std::unique_ptr<const Contents> contents_;
+  std::unique_ptr<const AnalysisContents> contents_;
 };
 
 } // namespace crest

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The words that all stages share: the two types of crest, the label codes.
+// The words that all stages share: the two types of crest, the label codes, how a
+// surface bends; and what of the shared libraries others may call.
 #pragma once
+
+#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+
+// All else is hidden.
+#if defined(__GNUC__)
+#define PCL_CREST_EXPORT __attribute__ ((visibility ("default")))
+#else
+#define PCL_CREST_EXPORT
+#endif
 
 namespace pcl {
 namespace crest {
@@ -43,6 +53,22 @@ enum Label : std::uint32_t {
   LABEL_INVALID = 5,
   /** where the surface ends (4.1) and no other label applies; only on request */
   LABEL_BOUNDARY = 6
+};
+
+/** \brief The principal curvatures at a point, in 1 / (the cloud's unit).
+ *
+ * k1 is the larger in absolute value (section 3). Curvature is positive where the
+ * surface is convex seen from the side that the normal points to, so that ridges are
+ * positive with outward normals. t1 is the unit direction of k1 in the tangent plane;
+ * its sign means nothing.
+ */
+struct PrincipalCurvature {
+  float k1;
+  float k2;
+  Eigen::Vector3f t1;
+  /** false where the surface around the point does not determine them; k1 and k2 are
+   * then 0 */
+  bool valid;
 };
 
 } // namespace crest

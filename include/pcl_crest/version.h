@@ -2,7 +2,7 @@
 // Which version of the library this is, and what it computes with.
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <string>
 #include <vector>

@@ -26,10 +26,18 @@ public:
   {
     stage_ = stage;
     stage_begin_ = done_ = stage_end_;
-    stage_end_ = end;
+    stage_end_ = work_begin_ + (1.0 - work_begin_) * end;
     beginPart (0, 1);
     ask();
     check();
+  }
+
+  /** \brief Ends stages before the others, whose ends are then parts of what is left.
+   */
+  void
+  beginRest ()
+  {
+    work_begin_ = stage_end_;
   }
 
   /** \brief Begins one of several parts of a stage. */
@@ -86,6 +94,7 @@ private:
 
   ProgressCallback callback_;
   std::string stage_;
+  double work_begin_ = 0.0;
   double stage_begin_ = 0.0;
   double stage_end_ = 0.0;
   double part_begin_ = 0.0;

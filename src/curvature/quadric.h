@@ -7,7 +7,7 @@
 // crests.
 #pragma once
 
-#include <pcl_crest/principal_curvature.h>
+#include <pcl_crest/types.h>
 
 #include "search/simd.h"
 #include "surface/surface_graph.h"

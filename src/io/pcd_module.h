@@ -4,7 +4,7 @@
 // than most clouds take to compute.
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <pcl/PCLPointCloud2.h>
 

@@ -2,7 +2,7 @@
 // PCD through PCL's reader, once its header is known to be true to the file:
 // PCL makes room for as many points as the header announces.
 #include "io/file_content.h"
-#include "io/load_modules.h"
+#include "io/load_pcd_module.h"
 #include "io/number_type.h"
 
 #include <array>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/normal_estimation.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 
 #include "base/stopwatch.h"
 #include "io/file_content.h"
-#include "io/load_modules.h"
+#include "io/load_pcd_module.h"
 #include "io/output_file.h"
-#include "normals/normal_estimation.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -109,22 +109,26 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
 }
 
 std::string
-describe (const Orientation& orientation, std::size_t k)
+describe (const NormalEstimate& estimate, std::size_t k)
 {
+  if (estimate.parts.empty())
+    return "Normals could not be estimated: no three points span a plane.";
   std::string note =
       "Normals were estimated from " + std::to_string (k) + " neighbours";
-  if (orientation.single_view)
+  if (estimate.single_view)
     return note + " and turned toward the viewpoint, which all points are seen from.";
-  if (orientation.outward + orientation.toward_viewpoint + orientation.upward == 0)
-    return "Normals could not be estimated: no three points span a plane.";
   note += " and made consistent over each connected part.";
-  const auto add = [&note] (std::size_t parts, const char* side) {
+  const auto add = [&] (NormalSide side, const char* where) {
+    const auto parts =
+        std::count_if (estimate.parts.begin(),
+                       estimate.parts.end(),
+                       [side] (const NormalPart& part) { return part.side == side; });
     if (parts != 0)
-      note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + side;
+      note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + where;
   };
-  add (orientation.outward, " closed: outward.");
-  add (orientation.toward_viewpoint, " open: mostly toward the viewpoint.");
-  add (orientation.upward, " open: upward (+z).");
+  add (NormalSide::OUTWARD, " closed: outward.");
+  add (NormalSide::VIEWPOINT, " open: mostly toward the viewpoint.");
+  add (NormalSide::UP, " open: upward (+z).");
   return note;
 }
 
@@ -175,18 +179,15 @@ provideNormals (FileContent& content, int k, unsigned threads)
     }
     content.notes.push_back ("No face of the file has an area; they are not used.");
   }
-  PointLibrary library;
-  loadNormalLibrary() (library);
-  std::vector<Eigen::Vector3f> normals;
-  const Orientation orientation = estimateNormals (viewOf (*content.points),
-                                                   content.viewpoint,
-                                                   content.points->height > 1,
-                                                   library,
-                                                   k,
-                                                   threads,
-                                                   normals);
-  setNormals (normals, *content.points);
-  content.notes.push_back (describe (orientation, std::min<std::size_t> (k, size)));
+  NormalRequest request;
+  request.cloud = viewOf (*content.points);
+  request.k = k;
+  request.hints.viewpoint = content.viewpoint;
+  request.hints.organized = content.points->height > 1;
+  request.threads = threads;
+  const NormalEstimate estimate = estimateNormals (request);
+  setNormals (estimate.normals, *content.points);
+  content.notes.push_back (describe (estimate, std::min<std::size_t> (k, size)));
   return NormalSource::ESTIMATED;
 }
 

@@ -2,8 +2,8 @@
 // Normals of the vertices of meshes.
 #pragma once
 
-#include <pcl_crest/export.h>
 #include <pcl_crest/input.h>
+#include <pcl_crest/types.h>
 
 namespace pcl {
 namespace crest {

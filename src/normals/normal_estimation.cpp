@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/normal_estimation.h"
 
-#include <Eigen/Geometry>
+#include "base/large_arrays.h"
+#include "base/parallel.h"
+#include "normals/consistent_signs.h"
+#include "normals/part_sides.h"
+#include "normals/single_view.h"
+#include "search/curve_order.h"
+#include "search/point_view.h"
+#include "search/position_tree.h"
 
 #include <algorithm>
-#include <tuple>
+#include <stdexcept>
 
 namespace pcl {
 namespace crest {
@@ -16,8 +23,10 @@ namespace {
  */
 struct DistinctPoints {
   std::vector<Eigen::Vector3f> positions;
-  /** for each point of the cloud its place among them, or -1 */
-  std::vector<index_t> of_point;
+  /** the points of the cloud, coincident ones next to each other */
+  std::vector<CurvePoint> points;
+  /** where in these the ones at each position begin, and the end */
+  std::vector<std::size_t> begins;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double scale = 1.0;
 
@@ -29,67 +38,224 @@ struct DistinctPoints {
 };
 
 DistinctPoints
-takeDistinct (const PointView& cloud)
+takeDistinct (const PointView& cloud, const Workers& workers)
 {
   DistinctPoints distinct;
-  distinct.of_point.assign (cloud.size, -1);
-  std::vector<index_t> finite;
-  Eigen::AlignedBox3d box;
+  reserveLarge (distinct.points, cloud.size);
   for (std::size_t i = 0; i < cloud.size; ++i)
-    if (cloud.positionOf (i).allFinite()) {
-      finite.push_back (static_cast<index_t> (i));
-      box.extend (cloud.positionOf (i).cast<double>());
-    }
-  if (finite.empty())
+    if (cloud.positionOf (i).allFinite())
+      distinct.points.push_back ({0, cloud.positionOf (i), static_cast<index_t> (i)});
+  if (distinct.points.empty())
     return distinct;
-  distinct.center = box.center();
-  if (box.sizes().maxCoeff() > 0.0)
-    distinct.scale = 1.0 / box.sizes().maxCoeff();
-
-  const auto key = [&cloud] (index_t i) {
-    const Eigen::Vector3f p = cloud.positionOf (static_cast<std::size_t> (i));
-    return std::make_tuple (p.x(), p.y(), p.z());
-  };
-  std::stable_sort (finite.begin(), finite.end(), [&key] (index_t a, index_t b) {
-    return key (a) < key (b);
-  });
-  for (std::size_t i = 0; i < finite.size(); ++i) {
-    if (i == 0 || key (finite[i - 1]) != key (finite[i]))
-      distinct.positions.push_back (distinct.fromCloud (cloud.positionOf (finite[i])));
-    distinct.of_point[finite[i]] = static_cast<index_t> (distinct.positions.size()) - 1;
-  }
+  const CurveBox box = sortAlongCurve (distinct.points, workers);
+  distinct.begins = beginsOfPlaces (distinct.points);
+  distinct.center = 0.5 * (box.low.cast<double>() + box.high.cast<double>());
+  if (box.extent() > 0.0)
+    distinct.scale = 1.0 / box.extent();
+  reserveLarge (distinct.positions, distinct.begins.size() - 1);
+  for (std::size_t i = 0; i + 1 < distinct.begins.size(); ++i)
+    distinct.positions.push_back (
+        distinct.fromCloud (distinct.points[distinct.begins[i]].position));
   return distinct;
+}
+
+/** \brief Normals by samples' places in the tree. */
+struct SampleNormals {
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<float> trust;
+  std::vector<index_t> part;
+  std::vector<PartSide> sides;
+  bool single_view = false;
+};
+
+/** \brief The normals of the k nearest with the signs of the windows that noise asked
+ * for. Where the two look elsewhere, as at rims of thin plates, the neighbours decide.
+ */
+std::vector<Eigen::Vector3f>
+withSigns (const PointTree& tree, PlaneFits& fits, const Workers& workers)
+{
+  constexpr float ALONG = 0.7F;
+  // In spacings.
+  constexpr float LOW_NOISE = 0.25F;
+  std::vector<Eigen::Vector3f> normals = fits.plain;
+  std::vector<index_t> unlike;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const float cosine = normals[i].dot (fits.normals[i]);
+    if (cosine < 0.0F)
+      normals[i] = -normals[i];
+    if (std::abs (cosine) < ALONG && fits.errors[i] < LOW_NOISE * fits.spacing (i))
+      unlike.push_back (static_cast<index_t> (i));
+  }
+  const std::vector<float> votes = sumVotes (tree, fits, normals, unlike, workers);
+  for (std::size_t i = 0; i < unlike.size(); ++i)
+    if (votes[i] < 0.0F)
+      normals[unlike[i]] = -normals[unlike[i]];
+  return normals;
+}
+
+SampleNormals
+orientSamples (const PointTree& tree,
+               PlaneFits& fits,
+               const NormalHints& hints,
+               const Workers& workers)
+{
+  SampleNormals result;
+  const auto faceHim = [&] {
+    result.single_view = true;
+    result.normals = faceViewpoint (tree, fits, *hints.viewpoint, workers);
+    result.trust.assign (fits.size(), 1.0F);
+    result.part.assign (fits.size(), 0);
+    result.sides = {{NormalSide::VIEWPOINT, false, 1.0F}};
+    return result;
+  };
+  // An organized cloud is one image of a sensor, which sees no surface from behind.
+  if (hints.viewpoint && hints.organized)
+    return faceHim();
+  ConsistentSigns signs =
+      findConsistentSigns (findVotes (tree, fits, workers), fits, workers);
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (signs.turned[i] != 0) {
+      fits.normals[i] = -fits.normals[i];
+      fits.middles[i] = -fits.middles[i];
+    }
+  SignedParts parts{withSigns (tree, fits, workers),
+                    std::move (signs.part),
+                    std::move (signs.outward)};
+  bool is_model_around = false;
+  result.sides = decideSides (fits, parts, hints, is_model_around);
+  if (hints.viewpoint && !is_model_around &&
+      isSeenFrom (fits, *hints.viewpoint, workers))
+    return faceHim();
+  result.normals = std::move (parts.normals);
+  result.part = std::move (parts.part);
+  result.trust = std::move (signs.trust);
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (result.part[i] >= 0) {
+      const PartSide& side = result.sides[result.part[i]];
+      result.trust[i] = std::min (result.trust[i], side.trust);
+      if (side.turned)
+        result.normals[i] = -result.normals[i];
+    }
+  return result;
+}
+
+/** \brief The numbers of parts by their sizes, the largest first; -1 for those of no
+ * points.
+ */
+std::vector<index_t>
+rankParts (const std::vector<NormalPart>& parts)
+{
+  std::vector<index_t> order;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].points != 0)
+      order.push_back (static_cast<index_t> (i));
+  std::stable_sort (order.begin(), order.end(), [&parts] (index_t a, index_t b) {
+    return parts[a].points > parts[b].points;
+  });
+  std::vector<index_t> rank (parts.size(), -1);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    rank[order[i]] = static_cast<index_t> (i);
+  return rank;
+}
+
+/** \brief Gives the points of the cloud what their samples have. */
+NormalEstimate
+estimateOf (const PointView& cloud,
+            const DistinctPoints& distinct,
+            const PointTree& tree,
+            const PlaneFits& fits,
+            const SampleNormals& samples)
+{
+  NormalEstimate estimate;
+  estimate.single_view = samples.single_view;
+  estimate.normals.assign (cloud.size, Eigen::Vector3f::Zero());
+  estimate.variation.assign (cloud.size, 0.0F);
+  estimate.trust.assign (cloud.size, 0.0F);
+  estimate.part.assign (cloud.size, -1);
+  std::vector<NormalPart> parts;
+  for (const PartSide& side : samples.sides)
+    parts.push_back ({0, side.side, 0.0F});
+  std::vector<double> trust (parts.size(), 0.0);
+  for (std::size_t place = 0; place < tree.size; ++place) {
+    if (samples.normals[place].isZero (0.0F))
+      continue;
+    const index_t part = samples.part[place];
+    const index_t position = tree.index (static_cast<std::int32_t> (place));
+    for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
+         ++i) {
+      const index_t point = distinct.points[i].cloud_index;
+      estimate.normals[point] = samples.normals[place];
+      estimate.variation[point] = fits.variation[place];
+      estimate.trust[point] = samples.trust[place];
+      estimate.part[point] = part;
+      trust[part] += samples.trust[place];
+      ++parts[part].points;
+    }
+  }
+  const std::vector<index_t> rank = rankParts (parts);
+  estimate.parts.resize (static_cast<std::size_t> (
+      std::count_if (rank.begin(), rank.end(), [] (index_t r) { return r >= 0; })));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (rank[i] >= 0) {
+      parts[i].trust =
+          static_cast<float> (trust[i] / static_cast<double> (parts[i].points));
+      estimate.parts[rank[i]] = parts[i];
+    }
+  for (index_t& part : estimate.part)
+    if (part >= 0)
+      part = rank[part];
+  return estimate;
+}
+
+void
+checkRequest (const NormalRequest& request)
+{
+  const auto refuse = [] (const std::string& why) {
+    throw std::invalid_argument (why);
+  };
+  if (request.k < 3)
+    refuse ("k is " + std::to_string (request.k) +
+            ", but normals need at least 3 neighbours");
+  checkPoints (request.cloud);
+  if (request.hints.viewpoint && !request.hints.viewpoint->allFinite())
+    refuse ("The viewpoint is not finite: set one that is, or none");
+  if (!request.hints.up.allFinite() || request.hints.up.isZero (0.0F))
+    refuse ("The up direction is zero or not finite: set a direction, as 0 0 1");
 }
 
 } // namespace
 
-Orientation
-estimateNormals (const PointView& cloud,
-                 const std::optional<Eigen::Vector3f>& viewpoint,
-                 bool organized,
-                 const PointLibrary& library,
-                 int k,
-                 unsigned threads,
-                 std::vector<Eigen::Vector3f>& normals)
+NormalEstimate
+estimateNormals (const NormalRequest& request, const Workers& workers)
 {
-  const DistinctPoints distinct = takeDistinct (cloud);
-  Orientation orientation;
-  if (distinct.positions.empty()) {
-    normals.assign (cloud.size, Eigen::Vector3f::Zero());
-    return orientation;
-  }
-  std::vector<Eigen::Vector3f> found;
-  library.fit_planes (distinct.positions, k, threads, found);
-  std::optional<Eigen::Vector3f> seen_from;
-  if (viewpoint)
-    seen_from = distinct.fromCloud (*viewpoint);
-  orientation = orientNormals (
-      distinct.positions, seen_from, organized, library.find_nearest, threads, found);
-  normals.assign (cloud.size, Eigen::Vector3f::Zero());
-  for (std::size_t i = 0; i < cloud.size; ++i)
-    if (distinct.of_point[i] >= 0)
-      normals[i] = found[distinct.of_point[i]];
-  return orientation;
+  checkRequest (request);
+  const PointView& cloud = request.cloud;
+  const DistinctPoints distinct = takeDistinct (cloud, workers.threads);
+  const std::shared_ptr<const PointTree> tree =
+      treeOver (distinct.positions, workers.threads);
+  const auto beginPart = [&workers] (int part) {
+    if (workers.progress != nullptr)
+      workers.progress->beginPart (part, 2);
+  };
+  beginPart (0);
+  PlaneFits fits = fitPlanes (*tree, request.k, workers);
+  NormalHints hints = request.hints;
+  if (hints.viewpoint)
+    hints.viewpoint =
+        distinct.fromCloud (*hints.viewpoint) / static_cast<float> (tree->unit);
+  beginPart (1);
+  const SampleNormals samples = orientSamples (*tree, fits, hints, workers);
+  return estimateOf (cloud, distinct, *tree, fits, samples);
+}
+
+NormalEstimate
+estimateNormals (const NormalRequest& request)
+{
+  Progress progress (request.progress);
+  progress.beginStage ("normals", 1.0);
+  NormalEstimate estimate = estimateNormals (request, {request.threads, &progress});
+  progress.finish();
+  return estimate;
 }
 
 } // namespace crest

@@ -2,6 +2,7 @@
 #include "normals/single_view.h"
 
 #include "base/parallel.h"
+#include "normals/sign_votes.h"
 #include "normals/signed_sets.h"
 #include "search/ball_search.h"
 #include "search/position_tree.h"
@@ -9,15 +10,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 namespace pcl {
 namespace crest {
 
 bool
-isSeenFrom (const std::vector<Eigen::Vector3f>& points,
-            const std::vector<double>& areas,
+isSeenFrom (const PlaneFits& fits,
             const Eigen::Vector3f& viewpoint,
-            unsigned threads)
+            const Workers& workers)
 {
   constexpr double MOST_HIDDEN = 0.08;
   // So many tell it well enough.
@@ -30,22 +31,22 @@ isSeenFrom (const std::vector<Eigen::Vector3f>& points,
   std::vector<double> ranges;
   std::vector<double> spacings;
   std::vector<Eigen::Vector3f> directions;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f ray = points[i] - viewpoint;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const Eigen::Vector3f ray = fits.positions[i] - viewpoint;
     if (ray.isZero (0.0F))
       continue;
     ranges.push_back (ray.cast<double>().norm());
-    spacings.push_back (std::sqrt (M_PI * areas[i] / (NormalEdges::NEIGHBORS + 1)));
+    spacings.push_back (fits.spacing (i));
     directions.emplace_back (ray.stableNormalized());
   }
   if (ranges.empty())
     return false;
-  const std::shared_ptr<const PointTree> tree = treeOver (directions, threads);
+  const std::shared_ptr<const PointTree> tree = treeOver (directions, workers.threads);
 
   const std::size_t step = (ranges.size() + TRIED - 1) / TRIED;
   const std::size_t tried = (ranges.size() + step - 1) / step;
   std::atomic<std::size_t> hidden{0};
-  forEachBlock (tried, threads, [&] (std::size_t, std::size_t first, std::size_t last) {
+  forEachBlock (tried, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
     std::vector<index_t> found;
     for (std::size_t k = first; k < last; ++k) {
       const std::size_t i = k * step;
@@ -63,43 +64,48 @@ isSeenFrom (const std::vector<Eigen::Vector3f>& points,
   return static_cast<double> (hidden) < MOST_HIDDEN * static_cast<double> (tried);
 }
 
-void
-faceViewpoint (const std::vector<Eigen::Vector3f>& points,
-               const NormalEdges& graph,
+std::vector<Eigen::Vector3f>
+faceViewpoint (const PointTree& tree,
+               const PlaneFits& fits,
                const Eigen::Vector3f& viewpoint,
-               unsigned threads,
-               std::vector<Eigen::Vector3f>& normals)
+               const Workers& workers)
 {
   // Steeper than 11 degrees: normals of scans are less wrong than that.
   constexpr float SURE_COSINE = 0.2F;
-  SignedSets sets (points.size());
+  std::vector<Eigen::Vector3f> normals = fits.plain;
+  SignedSets sets (fits.size());
   std::vector<index_t> unsure;
   index_t sure = -1;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto point = static_cast<index_t> (i);
-    const Eigen::Vector3f ray = viewpoint - points[i];
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const auto sample = static_cast<index_t> (i);
+    const Eigen::Vector3f ray = viewpoint - fits.positions[i];
     const float cosine = normals[i].dot (ray.stableNormalized());
     if (cosine < 0.0F)
       normals[i] = -normals[i];
     if (std::abs (cosine) < SURE_COSINE)
-      unsure.push_back (point);
+      unsure.push_back (sample);
     else {
       if (sure < 0)
-        sure = point;
-      sets.unite (sure, point, false);
+        sure = sample;
+      sets.unite (sure, sample, false);
     }
   }
   if (sure < 0)
-    return;
-  std::vector<double> areas;
-  for (const NormalEdge& edge : graph.find (normals, unsure, threads, areas))
-    sets.unite (edge.a, edge.b, edge.opposite);
+    return normals;
+  std::vector<SignVote> votes = findVotes (tree, fits, normals, unsure, workers);
+  std::sort (votes.begin(), votes.end(), [] (const SignVote& v, const SignVote& w) {
+    return std::make_tuple (-std::abs (v.agreement), v.a, v.b) <
+           std::make_tuple (-std::abs (w.agreement), w.a, w.b);
+  });
+  for (const SignVote& vote : votes)
+    sets.unite (vote.a, vote.b, vote.agreement < 0.0F);
   const SignedSets::Place seen = sets.find (sure);
-  for (const index_t point : unsure) {
-    const SignedSets::Place place = sets.find (point);
+  for (const index_t sample : unsure) {
+    const SignedSets::Place place = sets.find (sample);
     if (place.root == seen.root && place.turned != seen.turned)
-      normals[point] = -normals[point];
+      normals[sample] = -normals[sample];
   }
+  return normals;
 }
 
 } // namespace crest

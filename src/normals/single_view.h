@@ -2,7 +2,8 @@
 // Clouds that one sensor saw from one place.
 #pragma once
 
-#include "normals/normal_edges.h"
+#include "base/progress.h"
+#include "normals/plane_fits.h"
 
 namespace pcl {
 namespace crest {
@@ -10,28 +11,24 @@ namespace crest {
 /** \brief Whether a cloud can be what a sensor saw from its viewpoint: hardly any point
  * is hidden behind the surface around another one. Of scans up to a twentieth is, by
  * noise and at silhouettes; of models seen from outside a third and more.
- * \param[in] areas of each point the squared distance to its last neighbour, as
- * NormalEdges::find tells
- * \param[in] threads 0 for all processors
+ * \param[in] viewpoint in the unit of the fits
  */
 bool
-isSeenFrom (const std::vector<Eigen::Vector3f>& points,
-            const std::vector<double>& areas,
+isSeenFrom (const PlaneFits& fits,
             const Eigen::Vector3f& viewpoint,
-            unsigned threads);
+            const Workers& workers);
 
-/** \brief Turns normals toward a viewpoint that all points were seen from. Where that
- * looks along the surface, noise decides which side it sees: there the sign is carried
- * over from those that it sees better.
- * \param[in] threads 0 for all processors
- * \param[in,out] normals of unit length or zero
+/** \brief The normals of samples, turned toward a viewpoint that all were seen from.
+ * Where that looks along the surface, noise decides which side it sees: there the sign
+ * is carried over from those that it sees better.
+ * \param[in] tree that the fits were made from
+ * \param[in] viewpoint in the unit of the fits
  */
-void
-faceViewpoint (const std::vector<Eigen::Vector3f>& points,
-               const NormalEdges& graph,
+std::vector<Eigen::Vector3f>
+faceViewpoint (const PointTree& tree,
+               const PlaneFits& fits,
                const Eigen::Vector3f& viewpoint,
-               unsigned threads,
-               std::vector<Eigen::Vector3f>& normals);
+               const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

@@ -2,6 +2,7 @@
 // What an analysis keeps, and whether it can be used again.
 #pragma once
 
+#include <pcl_crest/normal_estimation.h>
 #include <pcl_crest/surface_analysis.h>
 
 #include "presets/pipeline.h"
@@ -13,6 +14,9 @@ namespace crest {
 struct AnalysisContents {
   /** of the cloud (see fingerprint) */
   std::uint64_t cloud = 0;
+  /** of the cloud where it has none itself */
+  std::shared_ptr<const NormalEstimate> normals;
+  NormalHints hints;
   std::shared_ptr<const OrientedPoints> points;
   std::shared_ptr<const SurfaceShape> shape;
   /** all lines of both types */
@@ -20,8 +24,6 @@ struct AnalysisContents {
   /** that it was made with */
   Parameters parameters;
 };
-
-struct SurfaceAnalysis::Contents : AnalysisContents {};
 
 /** \brief An analysis that keeps this. */
 std::shared_ptr<const SurfaceAnalysis>

@@ -2,8 +2,10 @@
 #include <pcl_crest/crest_extraction.h>
 
 #include "base/stopwatch.h"
+#include "normals/normal_estimation.h"
 #include "presets/analysis_contents.h"
 #include "presets/line_selection.h"
+#include "search/point_view.h"
 
 #include <stdexcept>
 
@@ -63,23 +65,19 @@ neighborSource (const ExtractionRequest& request,
   return source;
 }
 
+bool
+sayTheSame (const NormalHints& a, const NormalHints& b)
+{
+  return a.viewpoint == b.viewpoint && a.organized == b.organized && a.up == b.up;
+}
+
 void
 checkRequest (const ExtractionRequest& request)
 {
   const auto refuse = [] (const std::string& why) {
     throw std::invalid_argument (why);
   };
-  if (request.cloud.size > MOST_POINTS)
-    refuse ("A cloud of " + std::to_string (request.cloud.size) +
-            " points is too large for 32-bit indices, which tell " +
-            std::to_string (MOST_POINTS) +
-            " points apart: compute it in parts that overlap");
-  if (request.cloud.size > 0 &&
-      (request.cloud.position == nullptr || request.cloud.normal == nullptr))
-    refuse ("The cloud has no positions or no normals: point to three floats of each");
-  if (request.cloud.size > 1 && request.cloud.stride < 3)
-    refuse ("The stride of the cloud is " + std::to_string (request.cloud.stride) +
-            ", but must be at least 3 floats");
+  checkPoints (request.cloud);
   const std::string invalid = explainInvalid (request.parameters);
   if (!invalid.empty())
     refuse ("Invalid parameter: " + invalid);
@@ -90,20 +88,54 @@ checkRequest (const ExtractionRequest& request)
   if (!other.empty())
     refuse ("The analysis that is set was made with " + other +
             ": set none, or what it was made with");
-  if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
+  if (known.cloud != fingerprint (request.cloud, request.parameters.threads) ||
+      (known.normals && !sayTheSame (known.hints, request.hints)))
     refuse (
         "The analysis that is set is that of another cloud: set none when the cloud "
         "has changed");
 }
 
-/** \brief Lines with indices into the cloud. */
-std::vector<CrestLine>
-linesOfCloud (const OrientedPoints& points, std::vector<CrestLine> lines)
+/** \brief The normals of a cloud that has none. */
+std::shared_ptr<const NormalEstimate>
+normalsFor (const ExtractionRequest& request,
+            Progress& progress,
+            std::vector<StageTime>& times)
 {
-  for (CrestLine& line : lines)
+  // Of all work, as near as anything tells beforehand.
+  constexpr double ESTIMATED = 0.1;
+  progress.beginStage ("normals", ESTIMATED);
+  Stopwatch watch (times);
+  NormalRequest wanted;
+  wanted.cloud = request.cloud;
+  wanted.hints = request.hints;
+  auto found = std::make_shared<const NormalEstimate> (
+      estimateNormals (wanted, {request.parameters.threads, &progress}));
+  watch.stageDone ("normals");
+  progress.beginRest();
+  return found;
+}
+
+/** \brief Lines with indices into the cloud.
+ * \param[in] sign_trust of its points, or null
+ */
+std::vector<CrestLine>
+linesOfCloud (const OrientedPoints& points,
+              const float* sign_trust,
+              std::vector<CrestLine> lines)
+{
+  for (CrestLine& line : lines) {
+    double trust = 0.0;
+    double count = 0.0;
     for (std::vector<index_t>& polyline : line.polylines)
-      for (index_t& point : polyline)
+      for (index_t& point : polyline) {
         point = points.cloud_index[point];
+        count += 1.0;
+        if (sign_trust != nullptr)
+          trust += sign_trust[point];
+      }
+    if (sign_trust != nullptr)
+      line.sign_trust = trust / count;
+  }
   return lines;
 }
 
@@ -140,15 +172,22 @@ extractCrests (const ExtractionRequest& request)
   std::shared_ptr<SurfaceShape> own_shape;
   if (request.analysis) {
     const AnalysisContents& known = contentsOf (*request.analysis);
+    result.normals = known.normals;
     points = known.points;
     shape = known.shape;
     if (haveSameTrace (known.parameters, parameters))
       traced = known.traced;
   }
   else {
+    PointView cloud = request.cloud;
+    if (cloud.size > 0 && cloud.normal == nullptr) {
+      result.normals = normalsFor (request, progress, times);
+      cloud.normal = result.normals->normals.front().data();
+      cloud.normal_stride = 3;
+    }
     Stopwatch watch (times);
     points = own_points = std::make_shared<OrientedPoints> (
-        packOrientedPoints (request.cloud, parameters.threads));
+        packOrientedPoints (cloud, parameters.threads));
     watch.stageDone ("packing");
     NeighborSource neighbors = neighborSource (request, *points, watch, progress);
     shape = own_shape =
@@ -186,6 +225,8 @@ extractCrests (const ExtractionRequest& request)
     result.analysis = makeAnalysis (
         {request.analysis ? contentsOf (*request.analysis).cloud
                           : fingerprint (request.cloud, parameters.threads),
+         result.normals,
+         request.hints,
          points,
          shape,
          traced,
@@ -200,7 +241,10 @@ extractCrests (const ExtractionRequest& request)
   else
     result.curvatures = {shape, &shape->curvature};
   result.places = placesOfLines (*points, selected);
-  result.lines = linesOfCloud (*points, std::move (selected.lines));
+  result.lines =
+      linesOfCloud (*points,
+                    result.normals ? result.normals->trust.data() : request.sign_trust,
+                    std::move (selected.lines));
   if (own_points)
     result.sample_of = std::make_shared<const std::vector<index_t>> (
         std::move (own_points->packed_index));

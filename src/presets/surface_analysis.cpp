@@ -6,37 +6,21 @@
 namespace pcl {
 namespace crest {
 
-/** \brief The stages' way into an analysis, which users have none of. */
-struct AnalysisAccess {
-  static std::shared_ptr<const SurfaceAnalysis>
-  make (AnalysisContents contents)
-  {
-    return std::shared_ptr<const SurfaceAnalysis> (
-        new SurfaceAnalysis (std::make_unique<const SurfaceAnalysis::Contents> (
-            SurfaceAnalysis::Contents{std::move (contents)})));
-  }
-
-  static const AnalysisContents&
-  contents (const SurfaceAnalysis& analysis)
-  {
-    return *analysis.contents_;
-  }
-};
-
 std::shared_ptr<const SurfaceAnalysis>
 makeAnalysis (AnalysisContents contents)
 {
-  return AnalysisAccess::make (std::move (contents));
+  return std::shared_ptr<const SurfaceAnalysis> (
+      new SurfaceAnalysis (std::move (contents)));
 }
 
 const AnalysisContents&
 contentsOf (const SurfaceAnalysis& analysis)
 {
-  return AnalysisAccess::contents (analysis);
+  return *analysis.contents_;
 }
 
-SurfaceAnalysis::SurfaceAnalysis (std::unique_ptr<const Contents> contents)
-: contents_ (std::move (contents))
+SurfaceAnalysis::SurfaceAnalysis (AnalysisContents contents)
+: contents_ (std::make_unique<const AnalysisContents> (std::move (contents)))
 {}
 
 SurfaceAnalysis::~SurfaceAnalysis() = default;

@@ -2,7 +2,7 @@
 // The tree of the batched search over points that are known to be right.
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <Eigen/Core>
 

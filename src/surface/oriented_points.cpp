@@ -3,13 +3,12 @@
 
 #include "base/large_arrays.h"
 #include "base/parallel.h"
-#include "base/radix_sort.h"
+#include "search/curve_order.h"
 #include "search/point_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -17,49 +16,6 @@ namespace pcl {
 namespace crest {
 
 namespace {
-
-/** \brief Spreads the lowest 21 bits to every third bit. */
-std::uint64_t
-spreadBits (std::uint64_t v)
-{
-  v &= 0x1fffffULL;
-  v = (v | v << 32) & 0x001f00000000ffffULL;
-  v = (v | v << 16) & 0x001f0000ff0000ffULL;
-  v = (v | v << 8) & 0x100f00f00f00f00fULL;
-  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
-  v = (v | v << 2) & 0x1249249249249249ULL;
-  return v;
-}
-
-std::uint64_t
-mortonCode (const Eigen::Vector3f& p, const Eigen::Vector3f& low, double cells_per_unit)
-{
-  const Eigen::Vector3d cell = (p.cast<double>() - low.cast<double>()) * cells_per_unit;
-  return spreadBits (static_cast<std::uint64_t> (cell.x())) |
-         spreadBits (static_cast<std::uint64_t> (cell.y())) << 1 |
-         spreadBits (static_cast<std::uint64_t> (cell.z())) << 2;
-}
-
-struct CodedPoint {
-  std::uint64_t code;
-  Eigen::Vector3f position;
-  index_t cloud_index;
-};
-
-void
-sortAlongCurve (std::vector<CodedPoint>& samples)
-{
-  radixSort (
-      samples.data(),
-      samples.data() + samples.size(),
-      [] (const CodedPoint& p) { return p.code; },
-      [] (const CodedPoint& p, const CodedPoint& q) {
-        return std::make_tuple (
-                   p.position.x(), p.position.y(), p.position.z(), p.cloud_index) <
-               std::make_tuple (
-                   q.position.x(), q.position.y(), q.position.z(), q.cloud_index);
-      });
-}
 
 Eigen::Vector3d
 unitNormalOf (const PointView& cloud, std::size_t i)
@@ -75,61 +31,31 @@ isValid (const PointView& cloud, std::size_t i)
          normal.cwiseAbs().maxCoeff() > 0.0F;
 }
 
-/** \brief The valid points in Morton order, coincident ones next to each other.
+/** \brief The valid points along a Morton curve.
  * \param[out] points get extent and unit
  */
-std::vector<CodedPoint>
+std::vector<CurvePoint>
 sortedSamples (const PointView& cloud, const Workers& workers, OrientedPoints& points)
 {
-  std::vector<CodedPoint> samples;
+  std::vector<CurvePoint> samples;
   reserveLarge (samples, cloud.size);
-  Eigen::Vector3f low =
-      Eigen::Vector3f::Constant (std::numeric_limits<float>::infinity());
-  Eigen::Vector3f high = -low;
   for (std::size_t i = 0; i < cloud.size; ++i)
-    if (isValid (cloud, i)) {
-      const Eigen::Vector3f p = cloud.positionOf (i);
-      low = low.cwiseMin (p);
-      high = high.cwiseMax (p);
-      samples.push_back ({0, p, static_cast<index_t> (i)});
-    }
+    if (isValid (cloud, i))
+      samples.push_back ({0, cloud.positionOf (i), static_cast<index_t> (i)});
   if (samples.empty())
     return samples;
-
-  const double extent = (high.cast<double>() - low.cast<double>()).maxCoeff();
-  points.extent = extent;
-  points.unit = unitFor (extent, low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff());
-  constexpr double CELLS = (1 << 21) - 1;
-  if (extent > 0.0)
-    forEachBlock (samples.size(),
-                  workers,
-                  [&] (std::size_t, std::size_t first, std::size_t last) {
-                    for (std::size_t i = first; i < last; ++i)
-                      samples[i].code =
-                          mortonCode (samples[i].position, low, CELLS / extent);
-                  });
-  sortAlongCurve (samples);
+  const CurveBox box = sortAlongCurve (samples, workers);
+  points.extent = box.extent();
+  points.unit = unitFor (points.extent,
+                         box.low.cwiseAbs().cwiseMax (box.high.cwiseAbs()).maxCoeff());
   return samples;
-}
-
-/** \brief Where the samples of each place begin, and the end of all. */
-std::vector<std::size_t>
-beginsOfPlaces (const std::vector<CodedPoint>& samples)
-{
-  std::vector<std::size_t> begins;
-  reserveLarge (begins, samples.size() + 1);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (i == 0 || samples[i].position != samples[i - 1].position)
-      begins.push_back (i);
-  begins.push_back (samples.size());
-  return begins;
 }
 
 /** \brief The mean of the normals of coincident samples, of unit length, or zero if
  * they cancel out.
  */
 Eigen::Vector3f
-meanNormal (const PointView& cloud, const CodedPoint* first, const CodedPoint* last)
+meanNormal (const PointView& cloud, const CurvePoint* first, const CurvePoint* last)
 {
   if (last - first == 1)
     return unitNormalOf (cloud, first->cloud_index).cast<float>();
@@ -159,7 +85,7 @@ packOrientedPoints (const PointView& cloud, const Workers& workers)
 {
   OrientedPoints points;
   points.packed_index = makeLarge<index_t> (cloud.size, OrientedPoints::INVALID);
-  const std::vector<CodedPoint> samples = sortedSamples (cloud, workers, points);
+  const std::vector<CurvePoint> samples = sortedSamples (cloud, workers, points);
   const std::vector<std::size_t> begins = beginsOfPlaces (samples);
   const std::size_t places = begins.size() - 1;
   points.normals = makeLarge<Eigen::Vector3f> (places, Eigen::Vector3f::Zero());
@@ -193,9 +119,9 @@ fingerprint (const PointView& cloud, const Workers& workers)
   // The steps of FNV-1a (Fowler, Noll and Vo), over words in the place of bytes.
   constexpr std::uint64_t PRIME = 0x100000001b3ULL;
   constexpr std::uint64_t OFFSET = 0xcbf29ce484222325ULL;
-  const auto add = [] (std::uint64_t& hash, const float* three) {
+  const auto add = [] (std::uint64_t& hash, const Eigen::Vector3f& three) {
     std::array<std::uint32_t, 3> bits{};
-    std::memcpy (bits.data(), three, sizeof (bits));
+    std::memcpy (bits.data(), three.data(), sizeof (bits));
     hash = (hash ^ (bits[0] | static_cast<std::uint64_t> (bits[1]) << 32)) * PRIME;
     hash = (hash ^ hash >> 29 ^ bits[2]) * PRIME;
   };
@@ -204,8 +130,9 @@ fingerprint (const PointView& cloud, const Workers& workers)
                 workers,
                 [&] (std::size_t block, std::size_t first, std::size_t last) {
                   for (std::size_t i = first; i < last; ++i) {
-                    add (of_blocks[block], cloud.position + i * cloud.stride);
-                    add (of_blocks[block], cloud.normal + i * cloud.stride);
+                    add (of_blocks[block], cloud.positionOf (i));
+                    if (cloud.normal != nullptr)
+                      add (of_blocks[block], cloud.normalOf (i));
                   }
                 });
   std::uint64_t hash = OFFSET ^ cloud.size;

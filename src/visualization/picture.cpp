@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_crest/visualization/picture.h>
+#include <pcl_crest/visualization/view.h>
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>

@@ -24,15 +24,18 @@ file(MAKE_DIRECTORY "${SCRATCH}")
 foreach(header ${headers})
   set(folders ${core_folders})
   set(of_core TRUE)
-  if(header MATCHES "crest_line_estimation|/io/|/visualization/")
+  if(header MATCHES "crest_line_estimation|oriented_normal_estimation|/io/|/visualization/")
     set(folders ${all_folders})
     set(of_core FALSE)
   endif()
   file(WRITE "${SCRATCH}/header.cpp" "#include <${header}>\n#include <${header}>\n")
-  if(header MATCHES "impl/")
-    # Templates warn where they are used.
+  # Templates warn where they are used.
+  if(header MATCHES "impl/crest_line_estimation")
     file(APPEND "${SCRATCH}/header.cpp"
          "template class pcl::CrestLineEstimation<pcl::PointNormal, pcl::PointXYZLNormal>;\n")
+  elseif(header MATCHES "impl/")
+    file(APPEND "${SCRATCH}/header.cpp"
+         "template class pcl::OrientedNormalEstimation<pcl::PointXYZL, pcl::PointNormal>;\n")
   endif()
   execute_process(COMMAND "${COMPILER}" -std=c++17 -fsyntax-only ${warnings} "-I${INCLUDE}"
                           ${folders} "${SCRATCH}/header.cpp"

@@ -813,7 +813,7 @@ TEST (Feature, AllPointsInvalidIsNoMistake)
   testing::internal::CaptureStderr();
   estimation.compute (labels, lines);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE (said.find ("pcl::NormalEstimation"), std::string::npos) << said;
+  EXPECT_NE (said.find ("pcl::OrientedNormalEstimation"), std::string::npos) << said;
   EXPECT_EQ (codes (labels), std::vector<std::uint32_t> (10, LABEL_INVALID));
   EXPECT_TRUE (lines.polygons.empty());
 }

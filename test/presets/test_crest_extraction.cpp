@@ -191,9 +191,9 @@ TEST (CrestExtraction, SaysWhatIsWrong)
   EXPECT_EQ (refusal<std::invalid_argument> (request),
              "The stride of the cloud is 2, but must be at least 3 floats");
   request.cloud = ridge.view();
-  request.cloud.normal = nullptr;
+  request.cloud.position = nullptr;
   EXPECT_EQ (refusal<std::invalid_argument> (request),
-             "The cloud has no positions or no normals: point to three floats of each");
+             "The cloud has no positions: point to three floats of each");
   request.cloud = ridge.view();
   request.make_search = [] (const std::vector<Eigen::Vector3f>&, int, double) {
     return NeighborSearch();

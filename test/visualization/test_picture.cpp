@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What pictures show, pixel by pixel. Needs an X display.
 #include <pcl_crest/visualization/crest_scene.h>
-#include <pcl_crest/visualization/picture.h>
+#include <pcl_crest/visualization/view.h>
 
 #include <gtest/gtest.h>
 

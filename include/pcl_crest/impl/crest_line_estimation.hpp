@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
+#include <pcl_crest/impl/oriented_normal_estimation.hpp>
 
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -15,12 +16,8 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
-#include <type_traits>
 
 namespace pcl {
-
-static_assert (std::is_same<index_t, crest::index_t>::value,
-               "PCL has to be built with indices of 32 bits, as it is by default");
 
 namespace crest {
 
@@ -118,6 +115,11 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
     fake_surface_ = true;
     surface_ = input_;
   }
+  if (normals_ && normals_->size() != surface_->size())
+    return refuse ("There are " + std::to_string (normals_->size()) +
+                   " input normals for a surface of " +
+                   std::to_string (surface_->size()) +
+                   " points: set one normal for each, or none to estimate them");
   if (surface_->empty())
     return refuse ("The search surface is empty: set one that has the input points, or "
                    "none to search the input cloud");
@@ -156,14 +158,6 @@ CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
 }
 
 template <typename PointInT, typename PointOutT>
-crest::PointView
-CrestLineEstimation<PointInT, PointOutT>::viewOf (const PointCloudIn& cloud)
-{
-  const PointInT& first = cloud.front();
-  return {&first.x, &first.normal_x, sizeof (PointInT) / sizeof (float), cloud.size()};
-}
-
-template <typename PointInT, typename PointOutT>
 bool
 CrestLineEstimation<PointInT, PointOutT>::locateInput (pcl::Indices& located) const
 {
@@ -171,8 +165,8 @@ CrestLineEstimation<PointInT, PointOutT>::locateInput (pcl::Indices& located) co
     located = *indices_;
     return true;
   }
-  const index_t stranger =
-      crest::locatePoints (viewOf (*input_), *indices_, viewOf (*surface_), located);
+  const index_t stranger = crest::locatePoints (
+      crest::viewOf (*input_), *indices_, crest::viewOf (*surface_), located);
   if (stranger < 0)
     return true;
   PCL_ERROR (
@@ -247,7 +241,21 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   if (!isInputSurface() && !locateInput (located))
     return false;
   crest::ExtractionRequest request;
-  request.cloud = viewOf (*surface_);
+  request.cloud = crest::viewOf (*surface_);
+  if (normals_) {
+    request.cloud.normal = &normals_->front().normal_x;
+    request.cloud.normal_stride = sizeof (pcl::Normal) / sizeof (float);
+  }
+  if (sign_trust_) {
+    if (sign_trust_->size() != surface_->size())
+      throw std::invalid_argument ("There are " + std::to_string (sign_trust_->size()) +
+                                   " trusts of signs for a surface of " +
+                                   std::to_string (surface_->size()) +
+                                   " points: set one for each, or none");
+    request.sign_trust = sign_trust_->data();
+  }
+  request.hints = hints_;
+  request.hints.organized = surface_->isOrganized();
   request.parameters = getParameters();
   request.search = givenSearch();
   request.make_search = crest::kdTreeSearch;
@@ -257,7 +265,8 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   crest::Extraction found = crest::extractCrests (request);
   if (found.labels.empty())
     PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal, so "
-              "that there are no crests. pcl::NormalEstimation estimates normals.\n",
+              "that there are no crests. pcl::OrientedNormalEstimation estimates "
+              "normals.\n",
               getClassName().c_str());
 
   for (std::size_t i = 0; i < output.size(); ++i) {
@@ -269,6 +278,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   result_.lines = std::move (found.lines);
   result_.statistics = std::move (found.statistics);
   result_.analysis = std::move (found.analysis);
+  result_.normals = std::move (found.normals);
   result_.line_cloud = surface_;
   if (!found.places.empty()) {
     auto moved = pcl::make_shared<PointCloudIn> (*surface_);
@@ -328,7 +338,7 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
   for (const crest::CrestLine& line : result_.lines)
     for (const std::vector<index_t>& polyline : line.polylines) {
       pcl::Vertices vertices;
-      vertices.vertices.assign (polyline.begin(), polyline.end());
+      vertices.vertices = polyline;
       lines.polygons.push_back (std::move (vertices));
     }
 }

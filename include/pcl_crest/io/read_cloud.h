@@ -4,8 +4,8 @@
 // clouds of PCL, the lines and the normals, but none of the stages.
 #pragma once
 
-#include <pcl_crest/export.h>
 #include <pcl_crest/progress.h>
+#include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

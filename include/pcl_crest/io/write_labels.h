@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line.h>
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

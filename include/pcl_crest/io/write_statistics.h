@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pcl_crest/crest_line_estimation.h>
-#include <pcl_crest/export.h>
 #include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/types.h>
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pcl_crest/crest_line.h>
-#include <pcl_crest/export.h>
 #include <pcl_crest/parameters.h>
+#include <pcl_crest/types.h>
 
 #include <vtkBlockItem.h>
 #include <vtkChartXY.h>

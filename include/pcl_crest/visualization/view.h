@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Cameras, and pictures of what they see.
 #pragma once
 
-#include <pcl_crest/export.h>
+#include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -9,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <vtkCamera.h>
+#include <vtkRenderWindow.h>
 
 #include <string>
 
@@ -61,6 +63,22 @@ readView (const std::string& text, View& view, std::string& error);
 /** \brief Makes the camera look as the view does. */
 PCL_CREST_EXPORT void
 setCamera (const View& view, vtkCamera& camera);
+
+/** \brief Whether VTK can open a window, or render without one. It needs an X display
+ * with OpenGL 3.2 for both and ends the program, or paints all black, where there is
+ * none: so ask first.
+ *
+ * \param[out] error if not, what is missing and what would help
+ */
+PCL_CREST_EXPORT bool
+canRender (std::string& error);
+
+/** \brief Renders.
+ * \param[in] window may be off the screen
+ * \return the content of a PNG file
+ */
+PCL_CREST_EXPORT std::string
+renderPicture (vtkRenderWindow& window);
 
 } // namespace crest
 } // namespace pcl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/load_modules.h"
+#include "io/load_pcd_module.h"
 
 #include "io/text_scanner.h"
 
@@ -17,9 +17,8 @@ namespace crest {
 
 namespace {
 
-template <typename Function>
-Function
-load (const std::string& module_name, const char* function_name)
+PcdReader
+load ()
 {
   static const char of_this_library = 0;
   Dl_info here{};
@@ -31,17 +30,17 @@ load (const std::string& module_name, const char* function_name)
   const std::filesystem::path resolved =
       std::filesystem::canonical (library_file, ignored);
   const std::string module =
-      (resolved.parent_path() /
-       (PCL_CREST_MODULE_PREFIX + module_name + PCL_CREST_MODULE_SUFFIX))
+      (resolved.parent_path() / (std::string (PCL_CREST_MODULE_PREFIX) +
+                                 "pcl_crest_pcd" + PCL_CREST_MODULE_SUFFIX))
           .string();
   // Never closed: libraries of the module do not unload safely.
   void* const library = ::dlopen (module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const function =
-      library != nullptr ? ::dlsym (library, function_name) : nullptr;
+      library != nullptr ? ::dlsym (library, "pcl_crest_read_pcd") : nullptr;
   if (function == nullptr)
     throw ReadError ("PCL's part in reading it could not be loaded from " + module +
                      ": " + ::dlerror());
-  return reinterpret_cast<Function> (function);
+  return reinterpret_cast<PcdReader> (function);
 }
 
 } // namespace
@@ -49,16 +48,8 @@ load (const std::string& module_name, const char* function_name)
 PcdReader
 loadPcdReader ()
 {
-  static const auto reader = load<PcdReader> ("pcl_crest_pcd", "pcl_crest_read_pcd");
+  static const PcdReader reader = load();
   return reader;
-}
-
-NormalLibrary
-loadNormalLibrary ()
-{
-  static const auto library =
-      load<NormalLibrary> ("pcl_crest_normals", "pcl_crest_normal_library");
-  return library;
 }
 
 #else
@@ -67,12 +58,6 @@ PcdReader
 loadPcdReader ()
 {
   return &pcl_crest_read_pcd;
-}
-
-NormalLibrary
-loadNormalLibrary ()
-{
-  return &pcl_crest_normal_library;
 }
 
 #endif

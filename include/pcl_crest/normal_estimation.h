@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normals for clouds that have none, over plain arrays.
+#pragma once
+
+#include <pcl_crest/input.h>
+#include <pcl_crest/progress.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+
+/** \brief To which side the normals of a connected part look, the surest first. */
+enum class NormalSide {
+  /** of a closed surface, the far side of what it encloses */
+  OUTWARD,
+  /** where a sensor was */
+  VIEWPOINT,
+  /** of an open surface that nothing else is known of: a guess */
+  UP
+};
+
+/** \brief What is known of the side that normals look to. */
+struct NormalHints {
+  /** where the cloud was seen from, in its unit */
+  std::optional<Eigen::Vector3f> viewpoint;
+  /** whether the cloud is an image that a sensor took there: then all was seen from
+   * there, and nothing from behind */
+  bool organized = false;
+  /** the side of open parts that no viewpoint decides, of any length but zero */
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+};
+
+/** \brief What normals to estimate, and from what. */
+struct NormalRequest {
+  /** its normals are not used; has to stay as it is meanwhile */
+  PointView cloud{nullptr, nullptr, 0, 0};
+  /** how many neighbours, with the point itself, a plane is fitted to: 3 or more */
+  int k = 24;
+  NormalHints hints;
+  /** 0 for all processors */
+  unsigned threads = 1;
+  ProgressCallback progress;
+};
+
+/** \brief Points that neighbours connect, whose normals are on one side of them. */
+struct NormalPart {
+  std::size_t points = 0;
+  NormalSide side = NormalSide::UP;
+  /** how sure that side is for the part as a whole, from 0, a guess, to 1 */
+  float trust = 0.0F;
+};
+
+/** From this trust on a sign is taken to be known. */
+constexpr float SURE_SIGN = 0.5F;
+
+/** \brief Normals of the points of a cloud, and how sure their signs are. */
+struct NormalEstimate {
+  /** of unit length, or zero where a point is not finite or no plane fits */
+  std::vector<Eigen::Vector3f> normals;
+  /** of each point the variation of the surface around it: the smallest eigenvalue of
+   * its k neighbours' covariance over the sum of all (Pauly et al. 2002) */
+  std::vector<float> variation;
+  /** of each point how sure the sign of its normal is, 0 to 1: how far the votes of
+   * neighbours agree on the way to the rest of its part, and what decides that part */
+  std::vector<float> trust;
+  /** of each point its part; -1 where it has no normal */
+  std::vector<index_t> part;
+  /** the largest first */
+  std::vector<NormalPart> parts;
+  /** whether all was seen from the viewpoint alone, which all normals face */
+  bool single_view = false;
+};
+
+/** \brief Estimates the normals of a cloud and turns them to one side of the surface.
+ *
+ * Planes are fitted to the k nearest neighbours (Hoppe et al. 1992), to more only where
+ * noise asks for it. Which of two neighbours' normals has to be turned over is decided
+ * by votes (Xie et al. 2003) of whole borders between patches, not of single edges, and
+ * of closed surfaces by rays that count sheets (Mullen et al. 2010).
+ *
+ * Where all was seen from the viewpoint alone, because the cloud is an image or because
+ * no points hide others, all normals face it, unless the cloud is one closed surface
+ * around it. Otherwise each connected part looks outward if it is closed; else toward
+ * the viewpoint, if there is one and most of the part faces it or most faces away; else
+ * up.
+ *
+ * The result depends neither on the order of the points, but for theirs in the output,
+ * nor on the number of threads.
+ *
+ * \throw std::invalid_argument where the request is not right, in words for the user;
+ * Cancelled where the callback says so; and std::bad_alloc
+ */
+PCL_CREST_EXPORT NormalEstimate
+estimateNormals (const NormalRequest& request);
+
+} // namespace crest
+} // namespace pcl

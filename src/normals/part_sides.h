@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// To which side connected parts look.
+#pragma once
+
+#include <pcl_crest/normal_estimation.h>
+
+#include "normals/plane_fits.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief Signed normals of samples and the parts they belong to, by their places. */
+struct SignedParts {
+  /** of unit length or zero, consistent over each part */
+  std::vector<Eigen::Vector3f> normals;
+  /** of each sample its part, or -1 */
+  std::vector<index_t> part;
+  /** of each part how far rays bear out that it looks outward, 1 to -1, or 0 */
+  std::vector<float> outward;
+};
+
+/** \brief The side of a part, and whether its normals have to be turned over for it. */
+struct PartSide {
+  NormalSide side = NormalSide::UP;
+  bool turned = false;
+  float trust = 0.0F;
+};
+
+/** \brief Decides the sides of parts: outward of those that are closed, that is whose
+ * normals add up to nothing much and whose signed volume by the divergence theorem is
+ * not zero, or that rays find an inside of; of others toward the viewpoint, if there is
+ * one and most of the part faces it or most faces away; else up.
+ * \param[in] hints in the unit of the fits
+ * \param[out] is_model_around whether all is one closed part around the viewpoint:
+ * rather a model around its origin than what a sensor saw
+ */
+std::vector<PartSide>
+decideSides (const PlaneFits& fits,
+             const SignedParts& parts,
+             const NormalHints& hints,
+             bool& is_model_around);
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "normals/plane_fits.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "base/parallel.h"
+#include "search/leaf_search.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** Doublings of the window, and how many neighbours are still found in no time. */
+constexpr int GROWTHS = 4;
+constexpr int WIDEST = 192;
+/** From this one on a window serves all samples of a leaf. */
+constexpr int SHARED = 2;
+/** Leaves whose windows grow together. */
+constexpr std::size_t GROUP = 8;
+constexpr std::size_t MEMBERS = GROUP * LEAF_SIZE;
+/** Standard deviation of heights over the radius of the window: where a plane is seen,
+ * and where it may be a ball of noise as well. */
+constexpr double FLAT = 0.2;
+constexpr double ROUND = 0.45;
+/** By how much wider windows scatter where they show a shape, not noise. */
+constexpr double SHAPE = 1.3;
+
+/** \brief The first two moments of offsets. */
+class Moments {
+public:
+  void
+  add (const Eigen::Vector3d& offset)
+  {
+    ++count_;
+    sum_ += offset;
+    products_.noalias() += offset * offset.transpose();
+  }
+
+  double
+  count () const
+  {
+    return count_;
+  }
+
+  Eigen::Vector3d
+  mean () const
+  {
+    return sum_ / count_;
+  }
+
+  /** \brief Sum of squared deviations from the mean. */
+  Eigen::Matrix3d
+  scatter () const
+  {
+    return products_ - sum_ * sum_.transpose() / count_;
+  }
+
+private:
+  double count_ = 0.0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d products_ = Eigen::Matrix3d::Zero();
+};
+
+/** \brief Principal axes of a scatter, the smallest first. */
+struct Axes {
+  Eigen::Vector3d variances;
+  Eigen::Vector3d normal;
+
+  explicit Axes (const Eigen::Matrix3d& scatter)
+  {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect (scatter);
+    variances = solver.eigenvalues().cwiseMax (0.0);
+    normal = solver.eigenvectors().col (0);
+  }
+
+  bool
+  spanPlane () const
+  {
+    constexpr double LINE = 1e-12;
+    return variances[2] > 0.0 && variances[1] > LINE * variances[2];
+  }
+
+  double
+  radius () const
+  {
+    return std::sqrt (variances[1] + variances[2]);
+  }
+};
+
+struct PlaneFit {
+  Eigen::Vector3f plain = Eigen::Vector3f::Zero();
+  double variation = 0.0;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  /** of the plane above the sample */
+  double height = 0.0;
+  double sigma = 0.0;
+  /** sigma over the radius of the window */
+  double roughness = std::numeric_limits<double>::infinity();
+  /** as in PlaneFits; 0 for one sheet */
+  double middle = 0.0;
+};
+
+/** \brief Two parallel planes through offsets whose heights fall into two clumps, if
+ * they do: found by turns of splitting the heights and fitting one normal to both.
+ */
+std::optional<PlaneFit>
+fitTwoSheets (const std::vector<Eigen::Vector3d>& offsets,
+              const Moments& all,
+              const Axes& axes)
+{
+  constexpr int ROUNDS = 4;
+  constexpr double LEAST = 6.0;
+  constexpr double TURNED = 0.5;
+  // Heights that are spread evenly keep a quarter of their variance when split.
+  constexpr double CLUMPS = 0.08;
+  Eigen::Vector3d normal = axes.normal;
+  double split = normal.dot (all.mean());
+  std::array<Moments, 2> sheets;
+  double within = 0.0;
+  double radius = 0.0;
+  for (int round = 0; round < ROUNDS; ++round) {
+    sheets = {};
+    for (const Eigen::Vector3d& offset : offsets)
+      sheets[normal.dot (offset) < split ? 0 : 1].add (offset);
+    if (std::min (sheets[0].count(), sheets[1].count()) < LEAST)
+      return std::nullopt;
+    const Axes pooled ((sheets[0].scatter() + sheets[1].scatter()) / all.count());
+    const double cosine = pooled.normal.dot (normal);
+    if (std::abs (cosine) <= TURNED)
+      return std::nullopt;
+    normal = cosine < 0.0 ? (-pooled.normal).eval() : pooled.normal;
+    within = pooled.variances[0];
+    radius = pooled.radius();
+    split = 0.5 * normal.dot (sheets[0].mean() + sheets[1].mean());
+  }
+  if (!(within * all.count() < CLUMPS * normal.dot (all.scatter() * normal)))
+    return std::nullopt;
+  const int own = 0.0 < split ? 0 : 1;
+  PlaneFit fit;
+  fit.normal = normal.cast<float>();
+  fit.height = normal.dot (sheets[own].mean());
+  fit.middle = split - fit.height;
+  fit.sigma = std::sqrt (within * all.count() / std::max (1.0, all.count() - 4.0));
+  fit.roughness = fit.sigma / radius;
+  return fit;
+}
+
+/** \brief The plane through the offsets of neighbours from a sample. */
+PlaneFit
+fitPlane (const std::vector<Eigen::Vector3d>& offsets)
+{
+  PlaneFit fit;
+  Moments all;
+  for (const Eigen::Vector3d& offset : offsets)
+    all.add (offset);
+  if (all.count() < 3.0)
+    return fit;
+  const Axes axes (all.scatter() / all.count());
+  if (!axes.spanPlane())
+    return fit;
+  fit.plain = fit.normal = axes.normal.cast<float>();
+  fit.variation = axes.variances[0] / axes.variances.sum();
+  fit.height = axes.normal.dot (all.mean());
+  fit.sigma =
+      std::sqrt (axes.variances[0] * all.count() / std::max (1.0, all.count() - 3.0));
+  fit.roughness = fit.sigma / axes.radius();
+  if (fit.roughness > 0.5 * FLAT)
+    if (std::optional<PlaneFit> sheets = fitTwoSheets (offsets, all, axes)) {
+      sheets->plain = fit.plain;
+      return *sheets;
+    }
+  return fit;
+}
+
+/** \brief Fits the windows of consecutive leaves. Belongs to one thread. */
+class WindowFitter {
+public:
+  WindowFitter (const PointTree& tree, int k, PlaneFits& fits)
+  : tree_ (tree), k_ (k), fits_ (fits)
+  {}
+
+  /** \brief Fits those of the samples from one place to another, of one group. */
+  void
+  fit (std::size_t first, std::size_t last)
+  {
+    int growth = 0;
+    fitWindows (0, first, last);
+    while (roughness_[growth] >= FLAT && growth + 1 < GROWTHS &&
+           k_ << (growth + 1) <= WIDEST) {
+      fitWindows (growth + 1, first, last);
+      if (sigma_[growth + 1] > SHAPE * sigma_[growth] && roughness_[growth] < ROUND)
+        break;
+      ++growth;
+    }
+    for (std::size_t place = first; place < last; ++place) {
+      const PlaneFit& nearest = windows_[0][place - first];
+      const PlaneFit& window = windows_[growth][place - first];
+      fits_.plain[place] = nearest.plain;
+      fits_.variation[place] = static_cast<float> (nearest.variation);
+      // Both have a normal, or none: on lines it is rounding that decides.
+      if (!nearest.plain.isZero (0.0F))
+        keep (place, window.normal.isZero (0.0F) ? nearest : window, sigma_[growth]);
+    }
+  }
+
+private:
+  using Windows = std::array<PlaneFit, MEMBERS>;
+
+  const Eigen::Vector3f&
+  position (std::size_t place) const
+  {
+    return fits_.positions[place];
+  }
+
+  void
+  fitWindows (int growth, std::size_t first, std::size_t last)
+  {
+    if (!searches_[growth]) {
+      const int nearest = (k_ << growth) - 1;
+      searches_[growth].emplace (
+          tree_,
+          NeighborCount{growth == 0 ? std::max (nearest, PlaneFits::NEAREST)
+                                    : nearest});
+    }
+    Windows& windows = windows_[growth];
+    for (std::size_t begin = first; begin < last; begin += LEAF_SIZE) {
+      const std::size_t end = std::min (begin + LEAF_SIZE, last);
+      if (growth < SHARED || !shareWindow (growth, begin, end, &windows[begin - first]))
+        fitEach (growth,
+                 searches_[growth]->searchLeaf (begin / LEAF_SIZE),
+                 &windows[begin - first]);
+    }
+    std::array<double, MEMBERS> values;
+    const auto quartile = [&] (double PlaneFit::*value) {
+      const std::size_t count = last - first;
+      for (std::size_t i = 0; i < count; ++i)
+        values[i] = windows[i].*value;
+      std::nth_element (
+          values.begin(), values.begin() + count / 4, values.begin() + count);
+      return values[count / 4];
+    };
+    roughness_[growth] = quartile (&PlaneFit::roughness);
+    sigma_[growth] = quartile (&PlaneFit::sigma);
+  }
+
+  void
+  fitEach (int growth, const LeafNeighbors& found, PlaneFit* windows)
+  {
+    const auto wanted = static_cast<std::size_t> ((k_ << growth) - 1);
+    for (int i = 0; i < found.count; ++i) {
+      const auto place = static_cast<std::size_t> (found.first + i);
+      const std::size_t begin = found.offsets[i];
+      const std::size_t end = found.offsets[i + 1];
+      offsets_.assign (1, Eigen::Vector3d::Zero());
+      for (std::size_t j = begin; j < std::min (begin + wanted, end); ++j)
+        offsets_.push_back (
+            (position (found.places[j]) - position (place)).cast<double>());
+      windows[i] = fitPlane (offsets_);
+      if (growth == 0 && end != begin)
+        fits_.reach[place] =
+            found.squared_distances[std::min (begin + PlaneFits::NEAREST, end) - 1];
+    }
+  }
+
+  /** \brief Fits one window for a leaf: wide ones are nearly the same for all of its
+   * samples, unless there are two sheets.
+   */
+  bool
+  shareWindow (int growth, std::size_t begin, std::size_t end, PlaneFit* windows)
+  {
+    const std::size_t middle = begin + (end - begin) / 2;
+    PlaneFit shared;
+    fitEach (growth,
+             searches_[growth]->searchPoint (static_cast<std::int32_t> (middle)),
+             &shared);
+    if (shared.middle != 0.0)
+      return false;
+    for (std::size_t place = begin; place < end; ++place) {
+      PlaneFit& window = windows[place - begin];
+      window = shared;
+      window.height -= shared.normal.dot (position (place) - position (middle));
+    }
+    return true;
+  }
+
+  void
+  keep (std::size_t place, const PlaneFit& window, double sigma)
+  {
+    // In spacings of the samples: what noise is worth a move.
+    constexpr double NOISE = 0.1;
+    // A window that is not flat does not tell where the surface is.
+    const bool moves =
+        sigma > NOISE * fits_.spacing (place) && window.roughness < 1.5 * FLAT;
+    fits_.normals[place] = window.normal;
+    fits_.middles[place] = static_cast<float> (window.middle);
+    fits_.errors[place] = static_cast<float> (moves ? 0.5 * sigma : sigma);
+    if (moves)
+      fits_.feet[place] += static_cast<float> (window.height) * window.normal;
+  }
+
+  const PointTree& tree_;
+  int k_;
+  PlaneFits& fits_;
+  std::array<std::optional<LeafSearch>, GROWTHS> searches_;
+  std::array<Windows, GROWTHS> windows_;
+  /** of each growth the lower quartile over the group */
+  std::array<double, GROWTHS> roughness_{};
+  std::array<double, GROWTHS> sigma_{};
+  std::vector<Eigen::Vector3d> offsets_;
+};
+
+} // namespace
+
+PlaneFits
+fitPlanes (const PointTree& tree, int k, const Workers& workers)
+{
+  static_assert (BLOCK_SIZE % MEMBERS == 0, "groups must not straddle blocks");
+  PlaneFits fits;
+  const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
+  fits.positions.resize (tree.size);
+  for (std::size_t place = 0; place < tree.size; ++place) {
+    const PointLeaf& leaf = tree.leaves[place / LEAF_SIZE];
+    const std::size_t i = place % LEAF_SIZE;
+    fits.positions[place] = {leaf.x[i], leaf.y[i], leaf.z[i]};
+  }
+  fits.plain.assign (tree.size, zero);
+  fits.variation.assign (tree.size, 0.0F);
+  fits.normals.assign (tree.size, zero);
+  fits.feet = fits.positions;
+  fits.errors.assign (tree.size, 0.0F);
+  fits.middles.assign (tree.size, 0.0F);
+  fits.reach.assign (tree.size, 0.0F);
+  forEachBlock (
+      tree.size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
+        WindowFitter fitter (tree, k, fits);
+        for (; first < last; first += MEMBERS)
+          fitter.fit (first, std::min (first + MEMBERS, last));
+      });
+  return fits;
+}
+
+} // namespace crest
+} // namespace pcl
