@@ -51,7 +51,7 @@ namesOf (std::vector<std::string>& names, const std::vector<std::string>& known)
 }
 
 void
-addSettings (pcl::crest::Options& options, Settings& settings)
+addRunSettings (pcl::crest::Options& options, Settings& settings)
 {
   std::ostringstream usual;
   for (const double noise : settings.noises)
@@ -64,14 +64,22 @@ addSettings (pcl::crest::Options& options, Settings& settings)
                 return takeNoises (text, settings.noises);
               }),
        ("noises in spacings (" + usual.str() + ")").c_str());
-  add ("-presets",
-       namesOf (settings.presets, {"auto", "paper"}),
-       "of auto, paper (both)");
-  add ("-exact_normals", flag (settings.exact_normals), "the true normals");
   add ("-seed", number (settings.seed), "of samples and noise");
   add ("-threads", number (settings.threads), "0 takes all processors");
   add ("-json", fileName ("FILE", settings.json), "write all scores");
   add ("-h", flag (settings.help), "show this and do nothing else");
+}
+
+void
+addSettings (pcl::crest::Options& options, Settings& settings)
+{
+  using namespace pcl::crest;
+  auto add = options.add_options();
+  add ("-presets",
+       namesOf (settings.presets, {"auto", "paper"}),
+       "of auto, paper (both)");
+  add ("-exact_normals", flag (settings.exact_normals), "the true normals");
+  addRunSettings (options, settings);
 }
 
 } // namespace accuracy

@@ -21,7 +21,11 @@ struct Settings {
   bool help = false;
 };
 
-/** \brief Adds -noise -presets -exact_normals -seed -threads -json -h. */
+/** \brief Adds -noise -seed -threads -json -h. */
+void
+addRunSettings (pcl::crest::Options& options, Settings& settings);
+
+/** \brief Adds -presets and -exact_normals as well. */
 void
 addSettings (pcl::crest::Options& options, Settings& settings);
 

@@ -5,8 +5,9 @@ import os
 import tempfile
 from pathlib import Path
 
+from accuracy_normals import sign_section
 from accuracy_pictures import contact_sheets, plot_f1, surface_sheet
-from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, processor, run, table
+from common import BIN, OWN_FOLDER, PACKAGE, PICTURES, ROOT, number, processor, run, table
 
 # What the method aims at: precision, recall, error in spacings.
 GOALS = {0: (.98, .98, .15), .05: (.97, .95, .30), .2: (.95, .93, .40), .5: (.93, .85, .55), 1: (.85, .70, .75)}
@@ -23,12 +24,6 @@ def measure(scratch, program, *arguments):
     file = scratch / "scores.json"
     run(BIN / program, *arguments, "-json", file)
     return json.loads(file.read_text())["runs"]
-
-
-def number(value, digits=2):
-    if value is None:
-        return "-"
-    return f"{value:.{digits}f}".replace("0.", ".", 1) if value < 1 else f"{value:.{digits}f}"
 
 
 def scored(runs):
@@ -182,6 +177,7 @@ def main():
         if OWN_FOLDER and (OWN_FOLDER / "abc_00000006.obj").exists():
             meshes.append(OWN_FOLDER / "abc_00000006.obj")
         edges = measure(scratch, "crest_accuracy_edges", *meshes)
+        normals = measure(scratch, "crest_accuracy_normals")
         cgal = measure(scratch, "crest_accuracy_cgal") if (BIN / "crest_accuracy_cgal").exists() else []
         measure(scratch, "crest_accuracy", "-surfaces", ",".join(SHOWN), "-noise", ".2", "-presets", "auto",
                 "-files", scratch)
@@ -266,6 +262,8 @@ edges of 25 degrees or more meet; it is joined if lines meet within 2 h of it. G
 auto: P .97, R .98, error .15 h up to .05 h, P and R .95 at .2 h, all corners joined.
 
 {sharp(edges)}
+
+{sign_section(normals)}
 
 ## Beside others, without noise
 

@@ -28,6 +28,12 @@ def screenshot(cloud, options, file, size):
         cloud, *options, "-size", f"{size}x{size}", "-screenshot", file)
 
 
+def number(value, digits=2):
+    if value is None:
+        return "-"
+    return f"{value:.{digits}f}".replace("0.", ".", 1) if value < 1 else f"{value:.{digits}f}"
+
+
 def table(head, rows):
     """A table in Markdown."""
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]

@@ -5,13 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "poisson_disks.h"
 #include "surface_formula.h"
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <random>
-#include <unordered_map>
 
 namespace oracle {
 
@@ -149,32 +148,7 @@ sample (const AnalyticSurface& surface,
   }
   const double area =
       mean * (surface.u_max - surface.u_min) * (surface.v_max - surface.v_min);
-  // Disks thrown until hardly any more fit cover the plane to this degree.
-  const double disk = 0.77 * std::sqrt (area / static_cast<double> (count));
-
-  const auto cellOf = [&] (const Eigen::Vector3d& p) -> Eigen::Vector3i {
-    return (p / disk).array().floor().cast<int>();
-  };
-  // Far more cells than any surface here has are told apart.
-  const auto key = [] (const Eigen::Vector3i& cell) {
-    constexpr std::int64_t WIDTH = 1 << 20;
-    return (cell.x() * WIDTH + cell.y()) * WIDTH + cell.z();
-  };
-  std::unordered_map<std::int64_t, std::vector<Eigen::Vector3d>> taken;
-  const auto isFree = [&] (const Eigen::Vector3d& p) {
-    const Eigen::Vector3i center = cellOf (p);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const auto cell = taken.find (key (center + Eigen::Vector3i (i, j, k)));
-          if (cell == taken.end())
-            continue;
-          for (const Eigen::Vector3d& q : cell->second)
-            if ((p - q).squaredNorm() < disk * disk)
-              return false;
-        }
-    return true;
-  };
+  PoissonDisks disks (area, count);
 
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
   std::uniform_real_distribution<double> in_area (0.0, largest);
@@ -185,9 +159,8 @@ sample (const AnalyticSurface& surface,
       continue;
     ++thrown;
     const Eigen::Vector3d p = surface.position (u, v);
-    if (!isFree (p))
+    if (!disks.take (p))
       continue;
-    taken[key (cellOf (p))].push_back (p);
     pcl::PointNormal point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() = unitNormal (surface, u, v).cast<float>();

@@ -11,6 +11,21 @@
 
 namespace oracle {
 
+/** \brief Adds normal noise to all coordinates; the normals stay. */
+inline pcl::PointCloud<pcl::PointNormal>::Ptr
+addNoise (const pcl::PointCloud<pcl::PointNormal>& exact,
+          double standard_deviation,
+          unsigned seed = 1)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>> (exact);
+  std::mt19937 random (seed);
+  std::normal_distribution<double> noise (0.0, 1.0);
+  for (pcl::PointNormal& point : *cloud)
+    for (float& x : point.getVector3fMap())
+      x += static_cast<float> (standard_deviation * noise (random));
+  return cloud;
+}
+
 /** \brief Adds normal noise to all coordinates and replaces the normals by those of a
  * plane through 16 neighbours (PCA), on the side of the exact ones. The caller says how
  * large a spacing is, so that a noise is the same for all seeds of a surface.
@@ -20,13 +35,7 @@ withNoise (const pcl::PointCloud<pcl::PointNormal>& exact,
            double standard_deviation,
            unsigned seed = 1)
 {
-  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>> (exact);
-  std::mt19937 random (seed);
-  std::normal_distribution<double> noise (0.0, 1.0);
-  for (pcl::PointNormal& point : *cloud)
-    for (float& x : point.getVector3fMap())
-      x += static_cast<float> (standard_deviation * noise (random));
-
+  auto cloud = addNoise (exact, standard_deviation, seed);
   pcl::NormalEstimationOMP<pcl::PointNormal, pcl::Normal> estimation (2);
   estimation.setInputCloud (cloud);
   estimation.setKSearch (16);

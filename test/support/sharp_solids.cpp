@@ -3,9 +3,10 @@
 
 #include <Eigen/Geometry>
 
+#include "poisson_disks.h"
+
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 
 namespace oracle {
@@ -288,31 +289,7 @@ sample (const SharpSolid& solid, std::size_t count, unsigned seed)
   std::discrete_distribution<std::size_t> any_face (shares.begin(), shares.end());
   std::uniform_real_distribution<double> unit (0.0, 1.0);
 
-  // Disks thrown until hardly any more fit cover the plane to this degree.
-  const double disk = 0.77 * std::sqrt (areaOf (solid) / static_cast<double> (count));
-
-  using Cell = std::array<int, 3>;
-  std::map<Cell, std::vector<Eigen::Vector3d>> taken;
-  const auto cellOf = [&] (const Eigen::Vector3d& p) {
-    return Cell{static_cast<int> (std::floor (p.x() / disk)),
-                static_cast<int> (std::floor (p.y() / disk)),
-                static_cast<int> (std::floor (p.z() / disk))};
-  };
-  const auto isFree = [&] (const Eigen::Vector3d& p) {
-    const Cell center = cellOf (p);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const auto cell = taken.find ({center[0] + i, center[1] + j, center[2] + k});
-          if (cell == taken.end())
-            continue;
-          for (const Eigen::Vector3d& q : cell->second)
-            if ((p - q).squaredNorm() < disk * disk)
-              return false;
-        }
-    return true;
-  };
-
+  PoissonDisks disks (areaOf (solid), count);
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
   for (std::size_t thrown = 0; thrown < 30 * count;) {
     const SolidFace& face = solid.faces[any_face (random)];
@@ -322,9 +299,8 @@ sample (const SharpSolid& solid, std::size_t count, unsigned seed)
       continue;
     ++thrown;
     const Eigen::Vector3d p = face.position (x, y);
-    if (!isFree (p))
+    if (!disks.take (p))
       continue;
-    taken[cellOf (p)].push_back (p);
     pcl::PointNormal point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() = face.normal (x, y).cast<float>();
