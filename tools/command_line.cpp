@@ -66,6 +66,22 @@ optionsOf (const Parameters& p)
 }
 
 std::string
+optionsOf (const InputCloud& cloud)
+{
+  if (cloud.normals != NormalSource::ESTIMATED)
+    return {};
+  const auto place = [] (const Eigen::Vector3f& p) {
+    return shortest (p.x()) + "," + shortest (p.y()) + "," + shortest (p.z());
+  };
+  std::string text = " -estimate_normals";
+  if (cloud.options.viewpoint)
+    text += " -viewpoint " + place (*cloud.options.viewpoint);
+  if (cloud.options.up != NormalOptions().up)
+    text += " -up " + place (cloud.options.up);
+  return text;
+}
+
+std::string
 quoted (const std::string& word)
 {
   constexpr char HARMLESS[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -2,6 +2,7 @@
 // Back from parameters to the options that set them.
 #pragma once
 
+#include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/parameters.h>
 
 #include <string>
@@ -16,6 +17,10 @@ namespace crest {
  */
 std::string
 optionsOf (const Parameters& parameters);
+
+/** \brief The options of addNormalOptions that give the normals of this cloud. */
+std::string
+optionsOf (const InputCloud& cloud);
 
 /** \brief A word as the shell reads it back, quoted if need be. */
 std::string

@@ -25,7 +25,7 @@ constexpr char PROGRAM[] = "pcl_crest_line_estimation";
 
 struct Files {
   std::string input;
-  bool estimate_normals = false;
+  NormalOptions normals;
   std::string output;
   std::string lines;
   std::string statistics;
@@ -145,7 +145,7 @@ run (const Files& files, const Parameters& parameters, bool quiet)
       return true;
     };
     code = estimate (
-        files.input, parameters, files.estimate_normals, tell, progress, result, error);
+        files.input, parameters, files.normals, tell, progress, result, error);
   }
   if (code != EXIT_DONE)
     return fail (PROGRAM, code, error);
@@ -197,7 +197,7 @@ main (int argc, char** argv)
   bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
-  addNormalsOption (options, files.estimate_normals);
+  addNormalOptions (options, files.normals);
   auto add = options.add_options();
   add ("-lines",
        fileName ("FILE", files.lines),

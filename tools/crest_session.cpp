@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crest_session.h"
 
+#include "estimation.h"
+
 namespace pcl {
 namespace crest {
 
@@ -10,6 +12,7 @@ CrestSession::CrestSession (InputCloud cloud,
 : cloud_ (std::move (cloud))
 {
   estimation_.setInputCloud (cloud_.points);
+  estimation_.setSignTrust (trustOf (cloud_));
   estimation_.setKeepAnalysis (true);
   estimation_.setProgressCallback (progress);
   setThresholds (parameters);

@@ -63,12 +63,8 @@ load (const WindowOptions& window,
   const std::string& input = window.input;
   progress ("reading " + input, 0.0);
   InputCloud cloud;
-  if (!readCloud (input,
-                  parameters.k,
-                  parameters.threads,
-                  cloud,
-                  error,
-                  window.estimate_normals))
+  if (!readCloud (
+          input, parameters.k, parameters.threads, cloud, error, window.normals))
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
@@ -152,7 +148,7 @@ main (int argc, char** argv)
   bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
-  addNormalsOption (options, request.window.estimate_normals);
+  addNormalOptions (options, request.window.normals);
   auto add = options.add_options();
   add ("-screenshot",
        fileName ("FILE.png", request.screenshot),

@@ -9,21 +9,17 @@ namespace crest {
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
-          bool estimate_normals,
+          const NormalOptions& normals,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,
           std::string& error)
 {
-  if (!readCloud (file,
-                  parameters.k,
-                  parameters.threads,
-                  result.cloud,
-                  error,
-                  estimate_normals))
+  if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error, normals))
     return EXIT_FILE;
   tell (result.cloud);
   result.estimation.setInputCloud (result.cloud.points);
+  result.estimation.setSignTrust (trustOf (result.cloud));
   result.estimation.setParameters (parameters);
   result.estimation.setProgressCallback (progress);
   bool enough_memory = true;

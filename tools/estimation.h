@@ -19,10 +19,20 @@ struct Estimate {
   pcl::PointCloud<pcl::Label> labels;
 };
 
+/** \brief How sure the signs of a cloud's normals are, as CrestLineEstimation takes it.
+ */
+inline std::shared_ptr<const std::vector<float>>
+trustOf (const InputCloud& cloud)
+{
+  if (!cloud.estimate)
+    return nullptr;
+  return {cloud.estimate, &cloud.estimate->trust};
+}
+
 /** \brief Reads a file and computes its labels and lines.
  * \param[in] file the path
  * \param[in] parameters those of the estimation
- * \param[in] estimate_normals whether to do so even where the file has some
+ * \param[in] normals where these are to come from
  * \param[in] tell called with what was read, before the computation
  * \param[in] progress told how far the computation is
  * \param[out] result all of it
@@ -32,7 +42,7 @@ struct Estimate {
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
-          bool estimate_normals,
+          const NormalOptions& normals,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,

@@ -37,12 +37,10 @@ exportSession (const CrestSession& session,
   const std::string labels_file = prefix + LABELS;
   const std::string lines_file = prefix + LINES;
   const std::string statistics_file = prefix + STATISTICS;
-  const bool estimated = cloud.normals == NormalSource::ESTIMATED;
-  const std::string command = "pcl_crest_line_estimation " + quoted (input) + " " +
-                              quoted (labels_file) + " -lines " + quoted (lines_file) +
-                              " -stats " + quoted (statistics_file) +
-                              (estimated ? " -estimate_normals" : "") +
-                              optionsOf (session.getParameters()) + "\n";
+  const std::string command =
+      "pcl_crest_line_estimation " + quoted (input) + " " + quoted (labels_file) +
+      " -lines " + quoted (lines_file) + " -stats " + quoted (statistics_file) +
+      optionsOf (cloud) + optionsOf (session.getParameters()) + "\n";
   return writeLabels (
              labels_file, *cloud.points, labels, session.getCurvatures(), error) &&
          writeLines (lines_file, session.getLineCloud(), session.getLines(), error) &&

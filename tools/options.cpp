@@ -34,6 +34,24 @@ withDefault (const std::string& help, const T& value)
   return text.str();
 }
 
+/** \brief Takes "X,Y,Z"; returns what would be right, if it is not. */
+std::string
+takePlace (const std::string& text, Eigen::Vector3f& place)
+{
+  std::vector<std::string> words;
+  boost::split (words, text, boost::is_any_of (","));
+  const std::string wanted = "three numbers X,Y,Z";
+  if (words.size() != 3)
+    return wanted;
+  for (int i = 0; i < 3; ++i) {
+    double number = 0.0;
+    if (!takeNumber (words[static_cast<std::size_t> (i)], number).empty())
+      return wanted;
+    place[i] = static_cast<float> (number);
+  }
+  return place.allFinite() ? std::string() : wanted;
+}
+
 /** \brief Adds the option for both types and, to win over it, the one for each. */
 template <typename T>
 void
@@ -149,11 +167,32 @@ addQuestions (Options& options, bool& asked)
 }
 
 void
-addNormalsOption (Options& options, bool& estimate_normals)
+addNormalOptions (Options& options, NormalOptions& normals)
 {
+  const auto takeDirection = [&normals] (const std::string& text) {
+    Eigen::Vector3f taken;
+    const std::string wanted = takePlace (text, taken);
+    if (!wanted.empty() || taken.isZero (0.0F))
+      return std::string ("three numbers X,Y,Z that are not all 0");
+    normals.up = taken;
+    return std::string();
+  };
+  const auto takeViewpoint = [&normals] (const std::string& text) {
+    Eigen::Vector3f taken;
+    std::string wanted = takePlace (text, taken);
+    if (wanted.empty())
+      normals.viewpoint = taken;
+    return wanted;
+  };
   options.add_options() ("-estimate_normals",
-                         flag (estimate_normals),
-                         "estimate normals, even if the file has some or faces");
+                         flag (normals.always_estimate),
+                         "estimate normals, even if the file has some or faces") (
+      "-viewpoint",
+      value ("X,Y,Z", takeViewpoint),
+      "where estimated normals look to on open surfaces, in the unit\nof the file") (
+      "-up",
+      value ("X,Y,Z", takeDirection),
+      "where they look to if nothing else tells (default 0,0,1)");
 }
 
 void

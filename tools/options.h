@@ -3,6 +3,7 @@
 // words for what is wrong.
 #pragma once
 
+#include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/parameters.h>
 
 #include <boost/program_options.hpp>
@@ -115,9 +116,11 @@ usage (const Options& options);
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
-/** \brief Adds the option that has normals estimated whatever the file has. */
+/** \brief Adds -estimate_normals, which has normals estimated whatever the file has,
+ * and what their side may be decided by, -viewpoint and -up.
+ */
 void
-addNormalsOption (Options& options, bool& estimate_normals);
+addNormalOptions (Options& options, NormalOptions& normals);
 
 /** \brief Adds -h and -version, which programs answer before they parse. */
 void

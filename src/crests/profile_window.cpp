@@ -16,6 +16,9 @@ namespace crest {
 
 namespace {
 
+/** \brief Least cosine between the normals of the fits that a profile is taken of. */
+constexpr float SAME_SHEET_COSINE = 0.2F;
+
 /** Half the window's width, in spacings of the nodes. */
 constexpr double WINDOW = 2.5;
 

@@ -26,9 +26,6 @@ struct ScaleFit {
   bool valid = false;
 };
 
-/** \brief Least cosine between the normals of a node and what is fitted to it. */
-constexpr float SAME_SHEET_COSINE = 0.2F;
-
 /** \brief Fits a cubic height function to the `nearest` nodes around each node that is
  * needed, weighted by (1 - r^2 / R^2)^2 and the number of samples, and takes the
  * principal curvatures from both fundamental forms where the node is.

@@ -108,6 +108,15 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
       std::count_if (points.begin(), points.end(), hasUsableNormal));
 }
 
+std::size_t
+countUnsure (const NormalEstimate& estimate)
+{
+  std::size_t unsure = 0;
+  for (std::size_t i = 0; i < estimate.trust.size(); ++i)
+    unsure += estimate.part[i] >= 0 && estimate.trust[i] < SURE_SIGN ? 1 : 0;
+  return unsure;
+}
+
 std::string
 describe (const NormalEstimate& estimate, std::size_t k)
 {
@@ -128,8 +137,27 @@ describe (const NormalEstimate& estimate, std::size_t k)
   };
   add (NormalSide::OUTWARD, " closed: outward.");
   add (NormalSide::VIEWPOINT, " open: mostly toward the viewpoint.");
-  add (NormalSide::UP, " open: upward (+z).");
+  add (NormalSide::UP, " open: upward, a guess that -up or -viewpoint changes.");
   return note;
+}
+
+/** \brief What is not to be trusted of signs; empty if they are. */
+std::string
+describeDoubt (const NormalEstimate& estimate)
+{
+  const std::size_t unsure = countUnsure (estimate);
+  if (unsure == 0)
+    return {};
+  const auto of_parts = [] (const NormalPart& part) { return part.trust < SURE_SIGN; };
+  const auto parts =
+      std::count_if (estimate.parts.begin(), estimate.parts.end(), of_parts);
+  std::string note = "The side of " + std::to_string (unsure) + " normals is unsure";
+  if (parts != 0)
+    note += ", all of it of " + std::to_string (parts) +
+            (parts == 1 ? " part" : " parts") + " among " +
+            std::to_string (estimate.parts.size());
+  return note + ": ridges and valleys may be swapped there, unless -viewpoint or -up "
+                "tells it.";
 }
 
 /** \brief Only positions are of interest. */
@@ -152,7 +180,11 @@ setNormals (const std::vector<Eigen::Vector3f>& normals,
 
 /** \brief Takes the normals from the best source that there is. */
 NormalSource
-provideNormals (FileContent& content, int k, unsigned threads)
+provideNormals (FileContent& content,
+                int k,
+                unsigned threads,
+                const NormalOptions& options,
+                std::shared_ptr<const NormalEstimate>& estimate)
 {
   const std::size_t size = content.points->size();
   if (content.has_normals) {
@@ -182,12 +214,16 @@ provideNormals (FileContent& content, int k, unsigned threads)
   NormalRequest request;
   request.cloud = viewOf (*content.points);
   request.k = k;
-  request.hints.viewpoint = content.viewpoint;
+  request.hints.viewpoint = options.viewpoint ? options.viewpoint : content.viewpoint;
   request.hints.organized = content.points->height > 1;
+  request.hints.up = options.up;
   request.threads = threads;
-  const NormalEstimate estimate = estimateNormals (request);
-  setNormals (estimate.normals, *content.points);
-  content.notes.push_back (describe (estimate, std::min<std::size_t> (k, size)));
+  estimate = std::make_shared<const NormalEstimate> (estimateNormals (request));
+  setNormals (estimate->normals, *content.points);
+  content.notes.push_back (describe (*estimate, std::min<std::size_t> (k, size)));
+  const std::string doubt = describeDoubt (*estimate);
+  if (!doubt.empty())
+    content.notes.push_back (doubt);
   return NormalSource::ESTIMATED;
 }
 
@@ -228,7 +264,7 @@ readCloud (const std::string& file,
            unsigned threads,
            InputCloud& cloud,
            std::string& error,
-           bool always_estimate)
+           const NormalOptions& options)
 {
   const QuietConsole quiet;
   try {
@@ -240,11 +276,16 @@ readCloud (const std::string& file,
     FileContent content = readContent (file);
     watch.stageDone ("reading");
     notePositions (content);
-    if (always_estimate) {
+    if (options.always_estimate) {
       content.has_normals = false;
       content.faces.ends.clear();
     }
-    const NormalSource source = provideNormals (content, k, threads);
+    std::shared_ptr<const NormalEstimate> estimate;
+    const NormalSource source = provideNormals (content, k, threads, options, estimate);
+    if (source != NormalSource::ESTIMATED && options.viewpoint)
+      content.notes.emplace_back (
+          "The viewpoint is not used: normals come from the file. -estimate_normals "
+          "has them estimated.");
     content.points->is_dense =
         std::all_of (content.points->begin(),
                      content.points->end(),
@@ -254,6 +295,8 @@ readCloud (const std::string& file,
     watch.stageDone ("normals");
     cloud = {content.points,
              source,
+             options,
+             std::move (estimate),
              std::move (content.colors),
              std::move (content.notes),
              std::move (times)};

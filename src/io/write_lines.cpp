@@ -95,14 +95,15 @@ struct Measure {
 };
 
 /** \brief What files tell of lines beside type, place and ends. */
-constexpr std::array<Measure, 7> MEASURES{
+constexpr std::array<Measure, 8> MEASURES{
     {{"size", true, [] (const CrestLine& l) { return static_cast<double> (l.size); }},
      {"closed", true, [] (const CrestLine& l) { return l.closed ? 1.0 : 0.0; }},
      {"length", false, [] (const CrestLine& l) { return l.length; }},
      {"strength", false, [] (const CrestLine& l) { return l.strength; }},
      {"mean_curvature", false, [] (const CrestLine& l) { return l.mean_curvature; }},
      {"turning_angle", false, [] (const CrestLine& l) { return l.turning_angle; }},
-     {"scale", false, [] (const CrestLine& l) { return l.scale; }}}};
+     {"scale", false, [] (const CrestLine& l) { return l.scale; }},
+     {"sign_trust", false, [] (const CrestLine& l) { return l.sign_trust; }}}};
 
 /** \brief A space, then a measure of a line. */
 void

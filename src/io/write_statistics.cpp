@@ -63,6 +63,43 @@ describe (const Parameters& p)
   return json;
 }
 
+const char*
+nameOf (NormalSide side)
+{
+  switch (side) {
+  case NormalSide::OUTWARD:
+    return "outward";
+  case NormalSide::VIEWPOINT:
+    return "viewpoint";
+  case NormalSide::UP:
+    break;
+  }
+  return "up";
+}
+
+/** \brief How sure the signs of estimated normals are, on the whole and of the largest
+ * parts.
+ */
+Json
+describe (const NormalEstimate& estimate)
+{
+  constexpr std::size_t LARGEST = 20;
+  std::size_t unsure = 0;
+  for (std::size_t i = 0; i < estimate.trust.size(); ++i)
+    unsure += estimate.part[i] >= 0 && estimate.trust[i] < SURE_SIGN ? 1 : 0;
+  Json json;
+  json["single_view"] = estimate.single_view;
+  json["unsure_points"] = unsure;
+  json["parts"] = estimate.parts.size();
+  json["largest_parts"] = Json::array();
+  for (std::size_t i = 0; i < std::min (LARGEST, estimate.parts.size()); ++i) {
+    const NormalPart& part = estimate.parts[i];
+    json["largest_parts"].push_back (
+        {{"points", part.points}, {"side", nameOf (part.side)}, {"trust", part.trust}});
+  }
+  return json;
+}
+
 Json
 describe (CrestType type,
           const pcl::PointCloud<pcl::Label>& labels,
@@ -118,6 +155,7 @@ describe (const CrestLine& line, Preset preset)
     json["turning_angle"] = line.turning_angle;
     json["scale"] = line.scale;
   }
+  json["sign_trust"] = line.sign_trust;
   json["ends"] = Json::array();
   for (const auto& [first, last] : line.ends)
     json["ends"].push_back ({nameOf (first), nameOf (last)});
@@ -143,6 +181,8 @@ writeStatistics (
   if (parameters.boundaries)
     json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
   json["normals"] = nameOf (cloud.normals);
+  if (cloud.estimate)
+    json["orientation"] = describe (*cloud.estimate);
   json["mean_spacing"] = statistics.mean_spacing;
   json["extent"] = statistics.extent;
   json["parameters"] = describe (parameters);

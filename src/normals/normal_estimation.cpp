@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "normals/consistent_signs.h"
 #include "normals/part_sides.h"
+#include "normals/sharp_normals.h"
 #include "normals/single_view.h"
 #include "search/curve_order.h"
 #include "search/point_view.h"
@@ -239,6 +240,7 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
   };
   beginPart (0);
   PlaneFits fits = fitPlanes (*tree, request.k, workers);
+  sharpenNormals (*tree, fits, workers);
   NormalHints hints = request.hints;
   if (hints.viewpoint)
     hints.viewpoint =

@@ -10,6 +10,9 @@ namespace crest {
 
 namespace {
 
+/** The largest sum of the normals of a closed part, of its area. */
+constexpr double MOST_OPEN = 0.25;
+
 /** \brief Sums over a part, weighted by area up to a factor. */
 struct PartSums {
   double area = 0.0;
@@ -19,16 +22,27 @@ struct PartSums {
   double largest_volume = 0.0;
   double facing = 0.0;
   float outward = 0.0F;
+  /** of its samples that noise moves, their area and the kurtosis of their heights, and
+   * of all how large the errors of their places are in spacings */
+  double noisy_area = 0.0;
+  double kurtosis = 0.0;
+  double error = 0.0;
+
+  /** \brief Whether its normals add up to nothing much, as those of a closed surface
+   * do. A quarter leaves room for scans with holes and uneven sampling; a hemisphere
+   * has one half, a height field nearly one.
+   */
+  bool
+  facesAllWays () const
+  {
+    return normal.norm() < MOST_OPEN * area;
+  }
 
   bool
   isClosed () const
   {
-    // Net normals of a closed surface vanish; a quarter leaves room for scans with
-    // holes and uneven sampling. A hemisphere has one half, a height field nearly one.
-    constexpr double MOST_OPEN = 0.25;
     constexpr double LEAST_VOLUME = 0.01;
-    return normal.norm() < MOST_OPEN * area &&
-           std::abs (volume) > LEAST_VOLUME * largest_volume;
+    return facesAllWays() && std::abs (volume) > LEAST_VOLUME * largest_volume;
   }
 
   /** \brief Whether nearly all of a part shows the same side to the viewpoint. */
@@ -40,6 +54,20 @@ struct PartSums {
   }
 };
 
+/** \brief Whether an open part may as well be a closed one so thin that noise joins
+ * both its sheets: their heights, of two clumps, have a kurtosis below that of noise,
+ * which is 3, unless there is more noise than thickness.
+ */
+bool
+mayBeTwoSheets (const PartSums& part)
+{
+  constexpr double LEAST_KURTOSIS = 2.6;
+  constexpr double LARGEST_ERROR = 0.4;
+  return part.error > LARGEST_ERROR * part.area ||
+         (part.noisy_area > 0.5 * part.area &&
+          part.kurtosis < LEAST_KURTOSIS * part.noisy_area);
+}
+
 std::vector<PartSums>
 sumUp (const PlaneFits& fits,
        const SignedParts& parts,
@@ -48,6 +76,19 @@ sumUp (const PlaneFits& fits,
   std::vector<PartSums> sums (parts.outward.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i].outward = parts.outward[i];
+  constexpr float NOISY = 0.2F;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const float spacing = fits.spacing (i);
+    if (parts.part[i] < 0 || !(spacing > 0.0F))
+      continue;
+    PartSums& sum = sums[parts.part[i]];
+    const double area = fits.reach[i];
+    sum.error += area * fits.errors[i] / spacing;
+    if (fits.errors[i] > NOISY * spacing) {
+      sum.noisy_area += area;
+      sum.kurtosis += area * fits.kurtosis[i];
+    }
+  }
   const auto forEachSample = [&] (const auto& add) {
     for (std::size_t i = 0; i < fits.size(); ++i)
       if (parts.part[i] >= 0)
@@ -86,22 +127,34 @@ sideOf (const PartSums& part, const Eigen::Vector3d& up)
 {
   // From here on rays decide, which are right about cavities, too.
   constexpr float CLEAR_RAYS = 0.3F;
-  const bool rays_decide = std::abs (part.outward) > CLEAR_RAYS;
   if (part.area <= 0.0)
     return {};
-  if (part.isClosed() && rays_decide)
-    return {NormalSide::OUTWARD, part.outward < 0.0F, std::abs (part.outward)};
+  const float rays = std::abs (part.outward);
+  if (part.facesAllWays() && rays > CLEAR_RAYS)
+    return {NormalSide::OUTWARD,
+            part.outward < 0.0F,
+            std::min (1.0F, SURE_SIGN * rays / CLEAR_RAYS)};
   if (part.isClosed()) {
-    // Of a ball's volume, which is the largest of its area.
+    // A tenth of what it may be is more than what wrong signs leave of it.
+    constexpr double SURE_SHARE = 0.1;
     const double share = std::abs (part.volume) / part.largest_volume;
-    return {NormalSide::OUTWARD, part.volume < 0.0, static_cast<float> (share)};
+    const double trust = mayBeTwoSheets (part) ? 0.0 : share / SURE_SHARE;
+    return {NormalSide::OUTWARD,
+            part.volume < 0.0,
+            static_cast<float> (std::min (1.0, trust))};
   }
   if (part.showsOneSide())
     return {NormalSide::VIEWPOINT,
             part.facing < 0.0,
             static_cast<float> (std::abs (part.facing) / part.area)};
-  const double rise = part.normal.dot (up) / part.area;
-  return {NormalSide::UP, rise < 0.0, static_cast<float> (std::abs (rise))};
+  // Surely upward is what faces that way on the whole, and clearly more than down.
+  const double rise = part.normal.dot (up);
+  const double net = part.normal.norm();
+  double trust = net > 0.0 ? std::abs (rise) / net : 0.0;
+  trust *= std::min (1.0, net / (MOST_OPEN * part.area));
+  if (mayBeTwoSheets (part))
+    trust = 0.0;
+  return {NormalSide::UP, rise < 0.0, static_cast<float> (trust)};
 }
 
 } // namespace

@@ -96,6 +96,9 @@ struct Axes {
 struct PlaneFit {
   Eigen::Vector3f plain = Eigen::Vector3f::Zero();
   double variation = 0.0;
+  double plain_height = 0.0;
+  double plain_sigma = 0.0;
+  double radius = 0.0;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** of the plane above the sample */
   double height = 0.0;
@@ -104,6 +107,7 @@ struct PlaneFit {
   double roughness = std::numeric_limits<double>::infinity();
   /** as in PlaneFits; 0 for one sheet */
   double middle = 0.0;
+  double kurtosis = 3.0;
 };
 
 /** \brief Two parallel planes through offsets whose heights fall into two clumps, if
@@ -151,6 +155,23 @@ fitTwoSheets (const std::vector<Eigen::Vector3d>& offsets,
   return fit;
 }
 
+/** \brief The kurtosis of heights above a plane. */
+double
+kurtosisOf (const std::vector<Eigen::Vector3d>& offsets,
+            const Eigen::Vector3d& normal,
+            double plane)
+{
+  double squares = 0.0;
+  double fourths = 0.0;
+  for (const Eigen::Vector3d& offset : offsets) {
+    const double square = std::pow (normal.dot (offset) - plane, 2);
+    squares += square;
+    fourths += square * square;
+  }
+  const auto count = static_cast<double> (offsets.size());
+  return squares > 0.0 ? fourths * count / (squares * squares) : 3.0;
+}
+
 /** \brief The plane through the offsets of neighbours from a sample. */
 PlaneFit
 fitPlane (const std::vector<Eigen::Vector3d>& offsets)
@@ -170,11 +191,20 @@ fitPlane (const std::vector<Eigen::Vector3d>& offsets)
   fit.sigma =
       std::sqrt (axes.variances[0] * all.count() / std::max (1.0, all.count() - 3.0));
   fit.roughness = fit.sigma / axes.radius();
-  if (fit.roughness > 0.5 * FLAT)
+  if (fit.roughness > 0.5 * FLAT) {
+    fit.kurtosis = kurtosisOf (offsets, axes.normal, fit.height);
     if (std::optional<PlaneFit> sheets = fitTwoSheets (offsets, all, axes)) {
-      sheets->plain = fit.plain;
+      sheets->variation = fit.variation;
+      sheets->radius = axes.radius();
+      sheets->plain = sheets->normal;
+      sheets->plain_height = sheets->height;
+      sheets->plain_sigma = sheets->sigma;
       return *sheets;
     }
+  }
+  fit.plain_height = fit.height;
+  fit.plain_sigma = fit.sigma;
+  fit.radius = axes.radius();
   return fit;
 }
 
@@ -203,6 +233,9 @@ public:
       const PlaneFit& window = windows_[growth][place - first];
       fits_.plain[place] = nearest.plain;
       fits_.variation[place] = static_cast<float> (nearest.variation);
+      fits_.heights[place] = static_cast<float> (nearest.plain_height);
+      fits_.sigmas[place] = static_cast<float> (nearest.plain_sigma);
+      fits_.radii[place] = static_cast<float> (nearest.radius);
       // Both have a normal, or none: on lines it is rounding that decides.
       if (!nearest.plain.isZero (0.0F))
         keep (place, window.normal.isZero (0.0F) ? nearest : window, sigma_[growth]);
@@ -236,7 +269,7 @@ private:
                  searches_[growth]->searchLeaf (begin / LEAF_SIZE),
                  &windows[begin - first]);
     }
-    std::array<double, MEMBERS> values;
+    std::array<double, MEMBERS> values{};
     const auto quartile = [&] (double PlaneFit::*value) {
       const std::size_t count = last - first;
       for (std::size_t i = 0; i < count; ++i)
@@ -298,6 +331,7 @@ private:
     const bool moves =
         sigma > NOISE * fits_.spacing (place) && window.roughness < 1.5 * FLAT;
     fits_.normals[place] = window.normal;
+    fits_.kurtosis[place] = static_cast<float> (window.kurtosis);
     fits_.middles[place] = static_cast<float> (window.middle);
     fits_.errors[place] = static_cast<float> (moves ? 0.5 * sigma : sigma);
     if (moves)
@@ -331,9 +365,13 @@ fitPlanes (const PointTree& tree, int k, const Workers& workers)
   }
   fits.plain.assign (tree.size, zero);
   fits.variation.assign (tree.size, 0.0F);
+  fits.heights.assign (tree.size, 0.0F);
+  fits.sigmas.assign (tree.size, 0.0F);
+  fits.radii.assign (tree.size, 0.0F);
   fits.normals.assign (tree.size, zero);
   fits.feet = fits.positions;
   fits.errors.assign (tree.size, 0.0F);
+  fits.kurtosis.assign (tree.size, 3.0F);
   fits.middles.assign (tree.size, 0.0F);
   fits.reach.assign (tree.size, 0.0F);
   forEachBlock (

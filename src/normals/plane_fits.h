@@ -25,6 +25,11 @@ struct PlaneFits {
   std::vector<Eigen::Vector3f> positions;
   /** of planes through the k nearest, of unit length, or zero where these span none */
   std::vector<Eigen::Vector3f> plain;
+  /** how high these planes are above the samples, how far their points scatter about
+   * them, and how far from their middles, both standard deviations */
+  std::vector<float> heights;
+  std::vector<float> sigmas;
+  std::vector<float> radii;
   /** the smallest eigenvalue of the covariance of these over the sum of all */
   std::vector<float> variation;
   /** of planes through as many as noise asks for, of one sheet where there are two */
@@ -33,6 +38,9 @@ struct PlaneFits {
   std::vector<Eigen::Vector3f> feet;
   /** how far feet may be off the surface, a standard deviation */
   std::vector<float> errors;
+  /** of heights in these windows, fourth moment over squared variance, where windows
+   * are rough; else 3 */
+  std::vector<float> kurtosis;
   /** the height above the foot of the plane halfway to another sheet; 0 for none */
   std::vector<float> middles;
   /** squared distance to the last of the NEAREST */

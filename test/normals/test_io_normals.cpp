@@ -361,7 +361,9 @@ TEST_F (IoNormals, NormalsOfTheFileAreLeftOutOnRequest)
   for (const bool always_estimate : {false, true}) {
     InputCloud cloud;
     std::string error;
-    ASSERT_TRUE (readCloud (path, 4, 1, cloud, error, always_estimate)) << error;
+    NormalOptions options;
+    options.always_estimate = always_estimate;
+    ASSERT_TRUE (readCloud (path, 4, 1, cloud, error, options)) << error;
     EXPECT_EQ (always_estimate ? NormalSource::ESTIMATED : NormalSource::FILE,
                cloud.normals);
     for (const pcl::PointNormal& point : *cloud.points)

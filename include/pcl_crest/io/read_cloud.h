@@ -4,6 +4,7 @@
 // clouds of PCL, the lines and the normals, but none of the stages.
 #pragma once
 
+#include <pcl_crest/normal_estimation.h>
 #include <pcl_crest/progress.h>
 #include <pcl_crest/types.h>
 
@@ -11,6 +12,8 @@
 #include <pcl/point_types.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +23,26 @@ namespace crest {
 /** \brief Where the normals of a cloud come from. */
 enum class NormalSource { FILE, FACES, ESTIMATED };
 
+/** \brief Where normals are to come from. */
+struct NormalOptions {
+  /** whether to estimate them even where the file has some, or faces */
+  bool always_estimate = false;
+  /** for those that are estimated, in the unit of the file; in the place of the
+   * viewpoint of a PCD file */
+  std::optional<Eigen::Vector3f> viewpoint;
+  /** for those that are estimated (see NormalHints) */
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+};
+
 /** \brief A cloud as read from a file, ready for the crest line estimation. */
 struct InputCloud {
   /** one point per point of the file, in its order; is_dense is honest */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
   NormalSource normals = NormalSource::FILE;
+  /** what it was read with */
+  NormalOptions options;
+  /** what is known of normals that were estimated; else null */
+  std::shared_ptr<const NormalEstimate> estimate;
   /** of each point red, green and blue up to 255, where a PCD or PLY file has them;
    * else empty */
   std::vector<std::array<unsigned char, 3>> colors;
@@ -49,19 +67,16 @@ nameOf (NormalSource source);
  * finite counts as one without; single ones are left as they are, and mentioned in the
  * notes.
  *
- * Estimated normals have no side of their own, but ridges and valleys swap with it. In
- * a PCD file whose points can all be seen from its viewpoint it is that of the
- * viewpoint. Else it is made the same over each connected part (Hoppe et al. 1992):
- * outward where the part is closed; else toward the viewpoint, if most of the part
- * faces it or most faces away; else upward, to +z. The notes tell which.
+ * Estimated normals have no side of their own, but ridges and valleys swap with it: see
+ * estimateNormals for how it is found. Where the file has a viewpoint, as PCD files do,
+ * that decides first. The notes tell what did, and what is unsure.
  *
  * \param[in] file the path
  * \param[in] k neighbours for the estimation of normals, where it is needed
  * \param[in] threads 0 for all processors
  * \param[out] cloud what was read; untouched on failure
  * \param[out] error on failure what is wrong, naming the file and what would be right
- * \param[in] always_estimate whether to estimate normals even where the file has some,
- * or faces
+ * \param[in] options where normals are to come from
  * \return whether the cloud was read
  */
 PCL_CREST_EXPORT bool
@@ -70,7 +85,7 @@ readCloud (const std::string& file,
            unsigned threads,
            InputCloud& cloud,
            std::string& error,
-           bool always_estimate = false);
+           const NormalOptions& options = {});
 
 /** \brief Whether there is a file that can be opened, found out without reading it.
  * \param[in] file the path

@@ -25,7 +25,7 @@ lineExtensions ();
  * - .ply: elements "edge" with vertex1, vertex2, type (crest::CrestType), line, the
  *   place of the line in `lines`, and polyline; "polyline" with line and its two ends
  *   (crest::LineEnd); "line" with type, size, closed, length, strength, mean_curvature,
- *   turning_angle and scale of each, as CrestLine has them.
+ *   turning_angle, scale and sign_trust of each, as CrestLine has them.
  * - .vtk: legacy polydata with a cell for each polyline, and all of these as data of
  * the cells, the same for all cells of a line but the ends.
  *

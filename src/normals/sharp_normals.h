@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normals that average neither two faces nor two sheets.
+#pragma once
+
+#include "base/progress.h"
+#include "normals/plane_fits.h"
+
+namespace pcl {
+namespace crest {
+
+/** \brief Gives samples beside sharp edges, where the k nearest lie on several faces,
+ * the plane of a window near by that fits its own points at least twice as well, and
+ * the sample, too: as Kuwahara et al. 1976 smooth images up to their edges. Where no
+ * window does, as on smooth surfaces and in noise, nothing changes.
+ * \param[in] tree that the fits were made from
+ * \param[in,out] fits their nearest planes change
+ */
+void
+sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers);
+
+} // namespace crest
+} // namespace pcl
