@@ -126,12 +126,14 @@ describe (const NormalEstimate& estimate, std::size_t k)
       "Normals were estimated from " + std::to_string (k) + " neighbours";
   if (estimate.single_view)
     return note + " and turned toward the viewpoint, which all points are seen from.";
+  // Fewer points are no surface, but count as unsure.
+  constexpr std::size_t STRAY = 16;
   note += " and made consistent over each connected part.";
   const auto add = [&] (NormalSide side, const char* where) {
-    const auto parts =
-        std::count_if (estimate.parts.begin(),
-                       estimate.parts.end(),
-                       [side] (const NormalPart& part) { return part.side == side; });
+    const auto parts = std::count_if (
+        estimate.parts.begin(), estimate.parts.end(), [side] (const NormalPart& part) {
+          return part.side == side && part.points >= STRAY;
+        });
     if (parts != 0)
       note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + where;
   };

@@ -15,6 +15,7 @@ constexpr double MOST_OPEN = 0.25;
 
 /** \brief Sums over a part, weighted by area up to a factor. */
 struct PartSums {
+  std::size_t samples = 0;
   double area = 0.0;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -101,6 +102,7 @@ sumUp (const PlaneFits& fits,
                      double area,
                      const Eigen::Vector3d& position,
                      const Eigen::Vector3d& normal) {
+    ++sum.samples;
     sum.area += area;
     sum.center += area * position;
     sum.normal += area * normal;
@@ -147,12 +149,14 @@ sideOf (const PartSums& part, const Eigen::Vector3d& up)
     return {NormalSide::VIEWPOINT,
             part.facing < 0.0,
             static_cast<float> (std::abs (part.facing) / part.area)};
+  // Stray points are no surface.
+  constexpr std::size_t FEW = 16;
   // Surely upward is what faces that way on the whole, and clearly more than down.
   const double rise = part.normal.dot (up);
   const double net = part.normal.norm();
   double trust = net > 0.0 ? std::abs (rise) / net : 0.0;
   trust *= std::min (1.0, net / (MOST_OPEN * part.area));
-  if (mayBeTwoSheets (part))
+  if (part.samples < FEW || mayBeTwoSheets (part))
     trust = 0.0;
   return {NormalSide::UP, rise < 0.0, static_cast<float> (trust)};
 }

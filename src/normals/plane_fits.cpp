@@ -79,11 +79,15 @@ struct Axes {
     normal = solver.eigenvectors().col (0);
   }
 
+  /** \brief Whether they are wider than rounding makes a line, in clouds of unit size.
+   */
   bool
   spanPlane () const
   {
-    constexpr double LINE = 1e-12;
-    return variances[2] > 0.0 && variances[1] > LINE * variances[2];
+    // The closed form of eigenvalues is not more exact where two are nearly equal.
+    constexpr double LINE = 1e-7;
+    constexpr double ROUNDING = 4e-14;
+    return variances[1] > LINE * variances[2] && variances[1] > ROUNDING;
   }
 
   double
@@ -349,6 +353,38 @@ private:
   std::vector<Eigen::Vector3d> offsets_;
 };
 
+/** \brief Stray points stand for no more of the surface than what is near by: their own
+ * neighbours are as far away as that is.
+ */
+void
+limitReach (const PointTree& tree, PlaneFits& fits)
+{
+  std::vector<std::pair<std::size_t, float>> limits;
+  LeafSearch search (tree, {PlaneFits::NEAREST});
+  std::array<float, MEMBERS> reaches{};
+  for (std::size_t first = 0; first < fits.size(); first += MEMBERS) {
+    const std::size_t last = std::min (first + MEMBERS, fits.size());
+    const auto end =
+        std::copy (fits.reach.begin() + static_cast<std::ptrdiff_t> (first),
+                   fits.reach.begin() + static_cast<std::ptrdiff_t> (last),
+                   reaches.begin());
+    const auto quartile = reaches.begin() + (end - reaches.begin()) / 4;
+    std::nth_element (reaches.begin(), quartile, end);
+    for (std::size_t place = first; place < last; ++place) {
+      if (fits.reach[place] <= MOST_UNEVEN * *quartile)
+        continue;
+      const LeafNeighbors& found =
+          search.searchPoint (static_cast<std::int32_t> (place));
+      float limit = fits.reach[place];
+      for (std::size_t j = found.offsets[0]; j < found.offsets[1]; ++j)
+        limit = std::min (limit, MOST_UNEVEN * fits.reach[found.places[j]]);
+      limits.emplace_back (place, limit);
+    }
+  }
+  for (const auto& [place, limit] : limits)
+    fits.reach[place] = limit;
+}
+
 } // namespace
 
 PlaneFits
@@ -380,6 +416,7 @@ fitPlanes (const PointTree& tree, int k, const Workers& workers)
         for (; first < last; first += MEMBERS)
           fitter.fit (first, std::min (first + MEMBERS, last));
       });
+  limitReach (tree, fits);
   return fits;
 }
 

@@ -43,7 +43,8 @@ struct PlaneFits {
   std::vector<float> kurtosis;
   /** the height above the foot of the plane halfway to another sheet; 0 for none */
   std::vector<float> middles;
-  /** squared distance to the last of the NEAREST */
+  /** squared distance to the last of the NEAREST, of stray points that of what is near
+   */
   std::vector<float> reach;
 
   std::size_t
@@ -60,6 +61,9 @@ struct PlaneFits {
     return std::sqrt (PI * reach[i] / (NEAREST + 1));
   }
 };
+
+/** The largest ratio of the reach of neighbours on one surface. */
+constexpr float MOST_UNEVEN = 16.0F;
 
 /** \brief Fits planes to the k nearest of all samples, themselves among them.
  *

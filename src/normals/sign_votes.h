@@ -42,7 +42,7 @@ agreementOf (const Eigen::Vector3f& n,
 
 /** \brief The votes of all samples with their PlaneFits::NEAREST for the normals of
  * their windows, each pair once (twice where others are just as near as the last of
- * these).
+ * these). Stray points have none with what they are far from.
  * \param[in] tree that the fits were made from
  */
 std::vector<SignVote>

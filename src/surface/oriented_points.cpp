@@ -23,12 +23,16 @@ unitNormalOf (const PointView& cloud, std::size_t i)
   return cloud.normalOf (i).cast<double>().stableNormalized();
 }
 
+/** \brief Whether a point is finite and, if the cloud has normals, has one. */
 bool
 isValid (const PointView& cloud, std::size_t i)
 {
+  if (!cloud.positionOf (i).allFinite())
+    return false;
+  if (cloud.normal == nullptr)
+    return true;
   const Eigen::Vector3f normal = cloud.normalOf (i);
-  return cloud.positionOf (i).allFinite() && normal.allFinite() &&
-         normal.cwiseAbs().maxCoeff() > 0.0F;
+  return normal.allFinite() && normal.cwiseAbs().maxCoeff() > 0.0F;
 }
 
 /** \brief The valid points along a Morton curve.

@@ -338,7 +338,7 @@ CrestLineEstimation<PointInT, PointOutT>::compute (PointCloudOut& labels,
   for (const crest::CrestLine& line : result_.lines)
     for (const std::vector<index_t>& polyline : line.polylines) {
       pcl::Vertices vertices;
-      vertices.vertices = polyline;
+      vertices.vertices = pcl::Indices (polyline);
       lines.polygons.push_back (std::move (vertices));
     }
 }

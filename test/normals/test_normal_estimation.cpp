@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimated normals against exact ones, and against PCL's.
+#include <pcl_crest/impl/oriented_normal_estimation.hpp>
+
+#include <pcl/features/normal_3d_omp.h>
+
+#include <gtest/gtest.h>
+
+#include "normals/plane_fits.h"
+#include "normals/ray_parity.h"
+#include "search/position_tree.h"
+#include "support/analytic_surface.h"
+#include "support/noisy_cloud.h"
+#include "support/solid_clouds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace pcl::crest;
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+namespace {
+
+NormalRequest
+requestFor (const Cloud& cloud, unsigned threads = 2)
+{
+  NormalRequest request;
+  request.cloud = viewOf (cloud);
+  request.threads = threads;
+  return request;
+}
+
+oracle::SolidCloud
+solid (const std::string& name)
+{
+  for (const oracle::NamedSolid& known : oracle::namedSolids())
+    if (known.name == name)
+      return known.sample (1);
+  throw std::invalid_argument (name);
+}
+
+struct Signs {
+  /** of the points that are not at right angles to the exact normal */
+  double wrong = 0.0;
+  double unsure = 0.0;
+};
+
+Signs
+score (const Cloud& exact, const NormalEstimate& found)
+{
+  double counted = 0.0;
+  double wrong = 0.0;
+  double unsure = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const float cosine = found.normals[i].dot (exact[i].getNormalVector3fMap());
+    unsure += found.trust[i] < SURE_SIGN ? 1.0 : 0.0;
+    if (std::abs (cosine) < 0.5F)
+      continue;
+    counted += 1.0;
+    wrong += cosine < 0.0F ? 1.0 : 0.0;
+  }
+  return {wrong / counted, unsure / static_cast<double> (exact.size())};
+}
+
+Signs
+scoreWithNoise (const std::string& name, double spacings)
+{
+  const oracle::SolidCloud sampled = solid (name);
+  const Cloud::Ptr noisy =
+      oracle::addNoise (*sampled.cloud, spacings * sampled.spacing);
+  return score (*sampled.cloud, estimateNormals (requestFor (*noisy)));
+}
+
+TEST (NormalEstimation, PlanesAreThoseOfPclWhereTheSurfaceIsSmooth)
+{
+  const auto cloud = oracle::sample (oracle::torus (1.0, 0.4), 8000);
+  for (const double noise : {0.0, 0.2}) {
+    const Cloud::Ptr noisy =
+        oracle::addNoise (*cloud, noise * oracle::meanSpacing (*cloud));
+    pcl::NormalEstimationOMP<pcl::PointNormal, pcl::Normal> pcl_estimation (2);
+    pcl_estimation.setInputCloud (noisy);
+    pcl_estimation.setKSearch (24);
+    pcl::PointCloud<pcl::Normal> expected;
+    pcl_estimation.compute (expected);
+    const NormalEstimate found = estimateNormals (requestFor (*noisy));
+    // PCL computes in single precision.
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < cloud->size(); ++i) {
+      const bool same_normal =
+          std::abs (found.normals[i].dot (expected[i].getNormalVector3fMap())) >
+          0.99999F;
+      same += same_normal ? 1 : 0;
+      if (same_normal) {
+        ASSERT_NEAR (found.variation[i], expected[i].curvature, 1e-4F);
+      }
+    }
+    EXPECT_GE (static_cast<double> (same), 0.998 * static_cast<double> (cloud->size()))
+        << noise;
+  }
+}
+
+TEST (NormalEstimation, FacesAreNotAveragedAcrossSharpEdges)
+{
+  for (const char* name : {"dodecahedron", "gear", "plate of 1.5 h", "plate of 3 h"}) {
+    const oracle::SolidCloud sampled = solid (name);
+    const NormalEstimate found = estimateNormals (requestFor (*sampled.cloud));
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < sampled.cloud->size(); ++i)
+      angles.push_back (
+          std::acos (std::min (1.0F,
+                               std::abs (found.normals[i].dot (
+                                   (*sampled.cloud)[i].getNormalVector3fMap())))));
+    std::nth_element (
+        angles.begin(), angles.begin() + 95 * angles.size() / 100, angles.end());
+    EXPECT_LT (angles[95 * angles.size() / 100], 5.0 * 3.14159 / 180.0) << name;
+  }
+}
+
+TEST (NormalEstimation, SignsHoldWithoutNoise)
+{
+  for (const char* name : {"cube with holes",
+                           "gear",
+                           "three bodies",
+                           "hollow sphere",
+                           "plate of 1 h",
+                           "plate of 2 h",
+                           "terrain",
+                           "city"})
+    EXPECT_LE (scoreWithNoise (name, 0.0).wrong, 0.001) << name;
+}
+
+TEST (NormalEstimation, SignsHoldThroughNoise)
+{
+  for (const char* name : {"cube with holes", "gear", "hollow sphere", "city"}) {
+    EXPECT_LE (scoreWithNoise (name, 0.5).wrong, 0.01) << name;
+    EXPECT_LE (scoreWithNoise (name, 1.0).wrong, 0.05) << name;
+  }
+}
+
+TEST (NormalEstimation, WhatCannotBeKnownIsUnsure)
+{
+  for (const char* name : {"plate of 1 h", "plate of 2 h", "channel of 4 h"}) {
+    const Signs signs = scoreWithNoise (name, 1.0);
+    EXPECT_GE (signs.wrong, 0.2) << name << " can be known after all";
+    EXPECT_GE (signs.unsure, 0.99) << name;
+  }
+  for (const char* name : {"dodecahedron", "hollow sphere", "terrain"})
+    EXPECT_LE (scoreWithNoise (name, 0.2).unsure, 0.001) << name;
+}
+
+TEST (NormalEstimation, PartsAreToldWithTheirSides)
+{
+  const NormalEstimate bodies =
+      estimateNormals (requestFor (*solid ("three bodies").cloud));
+  ASSERT_EQ (bodies.parts.size(), 3U);
+  std::vector<std::size_t> points (3, 0);
+  for (const index_t part : bodies.part)
+    ++points.at (static_cast<std::size_t> (part));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ (bodies.parts[i].side, NormalSide::OUTWARD);
+    EXPECT_GE (bodies.parts[i].trust, SURE_SIGN);
+    EXPECT_EQ (bodies.parts[i].points, points[i]);
+  }
+  EXPECT_TRUE (std::is_sorted (points.rbegin(), points.rend()));
+
+  const Cloud::Ptr terrain = solid ("terrain").cloud;
+  NormalRequest request = requestFor (*terrain);
+  for (const float up : {1.0F, -1.0F}) {
+    request.hints.up = Eigen::Vector3f (0.0F, 0.0F, up);
+    const NormalEstimate found = estimateNormals (request);
+    EXPECT_EQ (found.parts.at (0).side, NormalSide::UP);
+    EXPECT_NEAR (score (*terrain, found).wrong, up > 0.0F ? 0.0 : 1.0, 0.001);
+  }
+  // No way up along a wall.
+  request.hints.up = Eigen::Vector3f::UnitX();
+  EXPECT_LT (estimateNormals (request).parts.at (0).trust, SURE_SIGN);
+  request.hints.viewpoint = Eigen::Vector3f (0.0F, 0.0F, -50.0F);
+  const NormalEstimate seen = estimateNormals (request);
+  EXPECT_EQ (seen.parts.at (0).side, NormalSide::VIEWPOINT);
+  EXPECT_NEAR (score (*terrain, seen).wrong, 1.0, 0.001);
+}
+
+TEST (NormalEstimation, DependsNeitherOnTheOrderNorOnThreads)
+{
+  const oracle::SolidCloud sampled = solid ("star");
+  const Cloud::Ptr noisy = oracle::addNoise (*sampled.cloud, 0.5 * sampled.spacing);
+  const NormalEstimate one = estimateNormals (requestFor (*noisy, 1));
+  const NormalEstimate three = estimateNormals (requestFor (*noisy, 3));
+  EXPECT_EQ (one.normals, three.normals);
+  EXPECT_EQ (one.trust, three.trust);
+  std::vector<std::size_t> order (noisy->size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::shuffle (order.begin(), order.end(), std::mt19937 (1));
+  Cloud shuffled;
+  for (const std::size_t i : order)
+    shuffled.push_back ((*noisy)[i]);
+  const NormalEstimate other = estimateNormals (requestFor (shuffled));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    ASSERT_EQ (other.normals[i], one.normals[order[i]]);
+    ASSERT_EQ (other.trust[i], one.trust[order[i]]);
+  }
+}
+
+TEST (NormalEstimation, RaysTellInsideFromOutside)
+{
+  // With the exact normals, of which the inner sphere's look into its cavity.
+  const oracle::SolidCloud sampled = solid ("hollow sphere");
+  std::vector<Eigen::Vector3f> positions;
+  for (const pcl::PointNormal& point : *sampled.cloud)
+    positions.emplace_back (point.getVector3fMap());
+  const auto tree = treeOver (positions, 1);
+  PlaneFits fits = fitPlanes (*tree, 24, 1);
+  const RayParity rays (fits);
+  int right = 0;
+  int asked = 0;
+  for (std::size_t place = 0; place < fits.size(); place += 97) {
+    const auto point =
+        static_cast<std::size_t> (tree->index (static_cast<int> (place)));
+    const float cosine =
+        fits.normals[place].dot ((*sampled.cloud)[point].getNormalVector3fMap());
+    right += rays.vote (place) * cosine > 0.5F ? 1 : 0;
+    ++asked;
+  }
+  EXPECT_GE (right, 0.99 * asked);
+}
+
+TEST (NormalEstimation, CloudsWithoutSurfaceHaveNoNormals)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto normalsOf = [] (const std::vector<Eigen::Vector3f>& positions) {
+    NormalRequest request;
+    request.cloud = {positions.front().data(), nullptr, 3, positions.size()};
+    return estimateNormals (request);
+  };
+  std::vector<Eigen::Vector3f> line;
+  std::vector<Eigen::Vector3f> slanted;
+  for (int i = 0; i < 300; ++i) {
+    line.emplace_back (0.1F * static_cast<float> (i), 0.0F, 0.0F);
+    slanted.emplace_back (static_cast<float> (i) * Eigen::Vector3f (0.5F, 0.25F, 2.0F));
+  }
+  for (const std::vector<Eigen::Vector3f>& positions :
+       {std::vector<Eigen::Vector3f> (1, Eigen::Vector3f::Zero()),
+        std::vector<Eigen::Vector3f> (2, Eigen::Vector3f::Zero()),
+        std::vector<Eigen::Vector3f> (500, Eigen::Vector3f::Ones()),
+        std::vector<Eigen::Vector3f> (3, Eigen::Vector3f (nan, 0.0F, 0.0F)),
+        line,
+        slanted}) {
+    const NormalEstimate found = normalsOf (positions);
+    EXPECT_TRUE (found.parts.empty()) << positions.size();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      EXPECT_TRUE (found.normals[i].isZero (0.0F));
+      EXPECT_EQ (found.part[i], -1);
+      EXPECT_EQ (found.trust[i], 0.0F);
+    }
+  }
+  NormalRequest nothing;
+  EXPECT_TRUE (estimateNormals (nothing).normals.empty());
+}
+
+TEST (NormalEstimation, FarClustersAndStrayPointsDoNoHarm)
+{
+  const auto ball = oracle::sample (oracle::sphere (1.0), 4000);
+  Cloud cloud = *ball;
+  for (const pcl::PointNormal& point : *ball) {
+    cloud.push_back (point);
+    cloud.back().getVector3fMap() += Eigen::Vector3f (3000.0F, 0.0F, 0.0F);
+  }
+  const std::size_t size = cloud.size();
+  cloud.push_back (pcl::PointNormal (0.0F, 0.0F, 0.1F));
+  cloud.push_back (pcl::PointNormal (1500.0F, 9.0F, 0.0F));
+  const NormalEstimate found = estimateNormals (requestFor (cloud));
+  cloud.resize (size);
+  EXPECT_LE (score (cloud, found).wrong, 0.002);
+}
+
+TEST (NormalEstimation, UnitsDoNotMatter)
+{
+  const auto ball = oracle::sample (oracle::sphere (1.0), 3000);
+  for (const float scale : {1e-30F, 1e-9F, 1e9F, 1e30F}) {
+    Cloud scaled = *ball;
+    for (pcl::PointNormal& point : scaled)
+      point.getVector3fMap() *= scale;
+    EXPECT_LE (score (*ball, estimateNormals (requestFor (scaled))).wrong, 0.001)
+        << scale;
+  }
+}
+
+TEST (NormalEstimation, SaysWhatIsWrong)
+{
+  const std::vector<Eigen::Vector3f> positions (10, Eigen::Vector3f::Zero());
+  const auto refusal = [] (const NormalRequest& request) -> std::string {
+    try {
+      estimateNormals (request);
+    }
+    catch (const std::invalid_argument& problem) {
+      return problem.what();
+    }
+    return "nothing";
+  };
+  NormalRequest request;
+  request.cloud = {positions.front().data(), nullptr, 3, positions.size()};
+  request.k = 2;
+  EXPECT_EQ (refusal (request), "k is 2, but normals need at least 3 neighbours");
+  request.k = 24;
+  request.hints.viewpoint =
+      Eigen::Vector3f::Constant (std::numeric_limits<float>::infinity());
+  EXPECT_EQ (refusal (request),
+             "The viewpoint is not finite: set one that is, or none");
+  request.hints.viewpoint.reset();
+  request.hints.up.setZero();
+  EXPECT_EQ (refusal (request),
+             "The up direction is zero or not finite: set a direction, as 0 0 1");
+  request.hints.up.setOnes();
+  request.cloud.position = nullptr;
+  EXPECT_EQ (refusal (request),
+             "The cloud has no positions: point to three floats of each");
+}
+
+TEST (NormalEstimation, StopsWhereTheCallbackSaysSo)
+{
+  const auto cloud = oracle::sample (oracle::sphere (1.0), 3000);
+  NormalRequest request = requestFor (*cloud);
+  double last = -1.0;
+  request.progress = [&last] (const std::string& stage, double done) {
+    EXPECT_EQ (stage, "normals");
+    EXPECT_GE (done, last);
+    last = done;
+    return true;
+  };
+  estimateNormals (request);
+  EXPECT_EQ (last, 1.0);
+  request.progress = [] (const std::string&, double) { return false; };
+  EXPECT_THROW (estimateNormals (request), Cancelled);
+}
+
+} // namespace
