@@ -23,7 +23,8 @@ namespace pcl {
  *
  * The method needs normals that point consistently to one side of the surface, outward
  * for closed ones: flipping them all swaps ridges and valleys. They are those of the
- * points, or of setInputNormals; else compute estimates them by itself.
+ * points, or of setInputNormals; else compute estimates them by itself. Normals that
+ * are zero or not finite make their points invalid.
  *
  * \code
  * pcl::CrestLineEstimation<pcl::PointNormal> estimation;
@@ -421,6 +422,10 @@ private:
   {
     return surface_ == input_ && fake_indices_;
   }
+
+  /** \brief The surface as plain arrays, with the normals that are to be used. */
+  crest::PointView
+  surfaceView () const;
 
   /** \brief The points of the surface that the indices name; false, with an error, if
    * one is none. */

@@ -37,7 +37,7 @@ struct NormalHints {
 struct NormalRequest {
   /** its normals are not used; has to stay as it is meanwhile */
   PointView cloud{nullptr, nullptr, 0, 0};
-  /** how many neighbours, with the point itself, a plane is fitted to: 3 or more */
+  /** how many neighbours, with the point itself, a plane is fitted to: 3 to 1000 */
   int k = 24;
   NormalHints hints;
   /** 0 for all processors */
@@ -45,7 +45,9 @@ struct NormalRequest {
   ProgressCallback progress;
 };
 
-/** \brief Points that neighbours connect, whose normals are on one side of them. */
+/** \brief Points that neighbours connect, whose normals are on one side of them; of a
+ * single view all.
+ */
 struct NormalPart {
   std::size_t points = 0;
   NormalSide side = NormalSide::UP;
@@ -55,6 +57,9 @@ struct NormalPart {
 
 /** From this trust on a sign is taken to be known. */
 constexpr float SURE_SIGN = 0.5F;
+
+/** Fewer points are no surface: of such parts nothing is sure. */
+constexpr std::size_t LEAST_PART = 16;
 
 /** \brief Normals of the points of a cloud, and how sure their signs are. */
 struct NormalEstimate {
@@ -72,6 +77,16 @@ struct NormalEstimate {
   std::vector<NormalPart> parts;
   /** whether all was seen from the viewpoint alone, which all normals face */
   bool single_view = false;
+
+  /** \brief How many normals there are whose sign is not known. */
+  std::size_t
+  countUnsure () const
+  {
+    std::size_t unsure = 0;
+    for (std::size_t i = 0; i < trust.size(); ++i)
+      unsure += part[i] >= 0 && trust[i] < SURE_SIGN ? 1 : 0;
+    return unsure;
+  }
 };
 
 /** \brief Estimates the normals of a cloud and turns them to one side of the surface.

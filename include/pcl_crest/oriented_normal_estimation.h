@@ -14,7 +14,7 @@ namespace pcl {
 /** \brief OrientedNormalEstimation estimates the normals of a cloud, as
  * NormalEstimation does, and turns them to one side of the surface (see
  * crest::estimateNormals): outward of closed surfaces, else toward the viewpoint, else
- * up. It takes no more time than NormalEstimation alone.
+ * up.
  *
  * \code
  * pcl::OrientedNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
@@ -137,6 +137,19 @@ protected:
 private:
   void
   computeFeature (PointCloudOut& output) override;
+
+  /** \brief All of the work; throws where it cannot be done. */
+  void
+  estimate (PointCloudOut& output);
+
+  /** \brief Leaves nothing of the last compute. */
+  void
+  forget ()
+  {
+    trust_.clear();
+    parts_.clear();
+    part_of_.clear();
+  }
 
   std::optional<Eigen::Vector3f> viewpoint_;
   bool use_sensor_origin_ = false;

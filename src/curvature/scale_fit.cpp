@@ -102,8 +102,8 @@ private:
   {
     const Eigen::Vector3f& p = level_.positions[node];
     const Eigen::Vector3f& n = level_.normals[node];
-    // Beyond right angles, whose other face is part of the crest.
-    constexpr float NO_OTHER_SHEET = -0.1F;
+    // Just beyond right angles, whose other face is part of the crest.
+    constexpr float NO_OTHER_SHEET = -0.02F;
     const auto same_sheet = [&] (index_t q) {
       return level_.normals[q].dot (n) > NO_OTHER_SHEET;
     };

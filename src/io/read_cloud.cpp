@@ -108,15 +108,6 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
       std::count_if (points.begin(), points.end(), hasUsableNormal));
 }
 
-std::size_t
-countUnsure (const NormalEstimate& estimate)
-{
-  std::size_t unsure = 0;
-  for (std::size_t i = 0; i < estimate.trust.size(); ++i)
-    unsure += estimate.part[i] >= 0 && estimate.trust[i] < SURE_SIGN ? 1 : 0;
-  return unsure;
-}
-
 std::string
 describe (const NormalEstimate& estimate, std::size_t k)
 {
@@ -126,20 +117,18 @@ describe (const NormalEstimate& estimate, std::size_t k)
       "Normals were estimated from " + std::to_string (k) + " neighbours";
   if (estimate.single_view)
     return note + " and turned toward the viewpoint, which all points are seen from.";
-  // Fewer points are no surface, but count as unsure.
-  constexpr std::size_t STRAY = 16;
   note += " and made consistent over each connected part.";
   const auto add = [&] (NormalSide side, const char* where) {
     const auto parts = std::count_if (
         estimate.parts.begin(), estimate.parts.end(), [side] (const NormalPart& part) {
-          return part.side == side && part.points >= STRAY;
+          return part.side == side && part.points >= LEAST_PART;
         });
     if (parts != 0)
       note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + where;
   };
   add (NormalSide::OUTWARD, " closed: outward.");
   add (NormalSide::VIEWPOINT, " open: mostly toward the viewpoint.");
-  add (NormalSide::UP, " open: upward, a guess that -up or -viewpoint changes.");
+  add (NormalSide::UP, " open: upward (-up), a guess.");
   return note;
 }
 
@@ -147,19 +136,20 @@ describe (const NormalEstimate& estimate, std::size_t k)
 std::string
 describeDoubt (const NormalEstimate& estimate)
 {
-  const std::size_t unsure = countUnsure (estimate);
+  const std::size_t unsure = estimate.countUnsure();
   if (unsure == 0)
     return {};
   const auto of_parts = [] (const NormalPart& part) { return part.trust < SURE_SIGN; };
   const auto parts =
       std::count_if (estimate.parts.begin(), estimate.parts.end(), of_parts);
-  std::string note = "The side of " + std::to_string (unsure) + " normals is unsure";
+  std::string note = "It is not known to which side " + std::to_string (unsure) +
+                     (unsure == 1 ? " normal looks" : " normals look");
   if (parts != 0)
-    note += ", all of it of " + std::to_string (parts) +
-            (parts == 1 ? " part" : " parts") + " among " +
-            std::to_string (estimate.parts.size());
-  return note + ": ridges and valleys may be swapped there, unless -viewpoint or -up "
-                "tells it.";
+    note += ", among them all of " + std::to_string (parts) + " of " +
+            std::to_string (estimate.parts.size()) +
+            (estimate.parts.size() == 1 ? " part" : " parts");
+  return note + ": ridges and valleys may be swapped there. A viewpoint tells it "
+                "(-viewpoint), or a direction up (-up).";
 }
 
 /** \brief Only positions are of interest. */
@@ -284,10 +274,11 @@ readCloud (const std::string& file,
     }
     std::shared_ptr<const NormalEstimate> estimate;
     const NormalSource source = provideNormals (content, k, threads, options, estimate);
-    if (source != NormalSource::ESTIMATED && options.viewpoint)
+    if (source != NormalSource::ESTIMATED &&
+        (options.viewpoint || options.up != NormalOptions().up))
       content.notes.emplace_back (
-          "The viewpoint is not used: normals come from the file. -estimate_normals "
-          "has them estimated.");
+          "The viewpoint and the direction up are not used, as the normals are those "
+          "of the file: they are for estimated ones (-estimate_normals).");
     content.points->is_dense =
         std::all_of (content.points->begin(),
                      content.points->end(),

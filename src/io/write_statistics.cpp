@@ -84,12 +84,9 @@ Json
 describe (const NormalEstimate& estimate)
 {
   constexpr std::size_t LARGEST = 20;
-  std::size_t unsure = 0;
-  for (std::size_t i = 0; i < estimate.trust.size(); ++i)
-    unsure += estimate.part[i] >= 0 && estimate.trust[i] < SURE_SIGN ? 1 : 0;
   Json json;
   json["single_view"] = estimate.single_view;
-  json["unsure_points"] = unsure;
+  json["unsure_points"] = estimate.countUnsure();
   json["parts"] = estimate.parts.size();
   json["largest_parts"] = Json::array();
   for (std::size_t i = 0; i < std::min (LARGEST, estimate.parts.size()); ++i) {

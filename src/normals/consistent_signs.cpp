@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/consistent_signs.h"
 
+#include <pcl_crest/normal_estimation.h>
+
 #include "base/parallel.h"
 #include "normals/ray_parity.h"
 #include "normals/signed_contraction.h"
@@ -16,8 +18,6 @@ namespace {
 /** The samples of a piece, which is small enough to be on one side of whatever a patch
  * may have been joined across. */
 constexpr std::size_t PIECE = 256;
-/** Clusters of fewer samples are no surface to ask rays about. */
-constexpr std::size_t LEAST_TESTED = 16;
 
 /** \brief Samples joined over sure votes, a few to a node, in whose sign they agree.
  */
@@ -72,22 +72,27 @@ joinSamples (const std::vector<SignVote>& votes, std::size_t samples)
   return nodes;
 }
 
-/** \brief Of each node its part, counted from 0. */
-std::vector<index_t>
+/** \brief Connected parts, counted from 0. */
+struct Parts {
+  std::vector<index_t> of_node;
+  std::size_t count = 0;
+};
+
+Parts
 connect (const std::vector<SignVote>& votes, const SampleNodes& nodes)
 {
   SignedSets sets (nodes.sizes.size());
   for (const SignVote& vote : votes)
     sets.unite (nodes.of_sample[vote.a], nodes.of_sample[vote.b], false);
-  std::vector<index_t> part (nodes.sizes.size(), -1);
-  index_t parts = 0;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const index_t root = sets.find (static_cast<index_t> (i)).root;
-    if (part[root] < 0)
-      part[root] = parts++;
-    part[i] = part[root];
+  Parts parts;
+  parts.of_node.assign (nodes.sizes.size(), -1);
+  for (std::size_t i = 0; i < parts.of_node.size(); ++i) {
+    index_t& of_root = parts.of_node[sets.find (static_cast<index_t> (i)).root];
+    if (of_root < 0)
+      of_root = static_cast<index_t> (parts.count++);
+    parts.of_node[i] = of_root;
   }
-  return part;
+  return parts;
 }
 
 void
@@ -157,7 +162,7 @@ public:
     for (std::size_t root = 0; root < clusters.size(); ++root) {
       const std::vector<index_t>& samples = samples_of[root];
       const std::size_t size = samples.size();
-      if (size < LEAST_TESTED)
+      if (size < LEAST_PART)
         continue;
       const std::size_t count = std::clamp (size / EVERY, LEAST, most);
       for (std::size_t t = 0; t < count; ++t)
@@ -215,14 +220,14 @@ private:
  * whatever their signs.
  */
 std::vector<double>
-closednessOf (const std::vector<RayTest>& tests, const std::vector<index_t>& part)
+closednessOf (const std::vector<RayTest>& tests, const Parts& parts)
 {
-  std::vector<double> sums (part.size(), 0.0);
-  std::vector<double> sizes (part.size(), 0.0);
+  std::vector<double> sums (parts.count, 0.0);
+  std::vector<double> sizes (parts.count, 0.0);
   for (const RayTest& test : tests) {
     const auto size = static_cast<double> (test.size);
-    sums[part[test.root]] += size * std::abs (test.mean);
-    sizes[part[test.root]] += size;
+    sums[parts.of_node[test.root]] += size * std::abs (test.mean);
+    sizes[parts.of_node[test.root]] += size;
   }
   for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i] = sizes[i] > 0.0 ? sums[i] / sizes[i] : 0.0;
@@ -331,7 +336,7 @@ struct NodeSigns {
 NodeSigns
 joinClusters (const std::vector<SignVote>& votes,
               const SampleNodes& nodes,
-              const std::vector<index_t>& part,
+              const Parts& parts,
               const Clusters& clusters,
               const RayVotes& rays)
 {
@@ -350,7 +355,7 @@ joinClusters (const std::vector<SignVote>& votes,
     weights.push_back (static_cast<float> (RayVotes::verdict (test)) *
                        (1.0F + graph.border (graph.find (test.root).root)));
   for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0.0F && rays.isClosed (part[rays.tests[i].root]))
+    if (weights[i] != 0.0F && rays.isClosed (parts.of_node[rays.tests[i].root]))
       graph.vote (outside, rays.tests[i].root, weights[i]);
   graph.contract (0.0F, 0.0F, nodes.of_sample.size());
 
@@ -366,19 +371,17 @@ joinClusters (const std::vector<SignVote>& votes,
 
 /** \brief Of each part what rays say of it on the whole, when all have their signs. */
 std::vector<float>
-outwardOf (const RayVotes& rays,
-           const std::vector<index_t>& part,
-           const NodeSigns& signs)
+outwardOf (const RayVotes& rays, const Parts& parts, const NodeSigns& signs)
 {
-  std::vector<double> sums (part.size(), 0.0);
-  std::vector<double> sizes (part.size(), 0.0);
+  std::vector<double> sums (parts.count, 0.0);
+  std::vector<double> sizes (parts.count, 0.0);
   for (const RayTest& test : rays.tests) {
     const auto size = static_cast<double> (test.size);
-    sums[part[test.root]] +=
+    sums[parts.of_node[test.root]] +=
         signs.turned[test.root] != 0 ? -size * test.mean : size * test.mean;
-    sizes[part[test.root]] += size;
+    sizes[parts.of_node[test.root]] += size;
   }
-  std::vector<float> outward (part.size(), 0.0F);
+  std::vector<float> outward (parts.count, 0.0F);
   for (std::size_t p = 0; p < outward.size(); ++p)
     if (sizes[p] > 0.0 && rays.isClosed (static_cast<index_t> (p)))
       outward[p] = static_cast<float> (sums[p] / sizes[p]);
@@ -390,18 +393,18 @@ outwardOf (const RayVotes& rays,
  */
 std::vector<float>
 trustOf (const RayVotes& rays,
-         const std::vector<index_t>& part,
+         const Parts& parts,
          const Clusters& clusters,
          const NodeSigns& signs)
 {
-  std::vector<double> verdicts (part.size(), 0.0);
+  std::vector<double> verdicts (parts.of_node.size(), 0.0);
   for (const RayTest& test : rays.tests)
-    if (rays.isClosed (part[test.root])) {
+    if (rays.isClosed (parts.of_node[test.root])) {
       const double verdict = RayVotes::verdict (test);
       verdicts[test.root] = signs.turned[test.root] != 0 ? -verdict : verdict;
     }
   std::vector<float> trust;
-  for (std::size_t i = 0; i < part.size(); ++i) {
+  for (std::size_t i = 0; i < parts.of_node.size(); ++i) {
     const auto verdict = static_cast<float> (verdicts[clusters[i].root]);
     trust.push_back (verdict < 0.0F ? 0.0F : std::max (verdict, signs.agreement[i]));
   }
@@ -417,23 +420,23 @@ findConsistentSigns (const std::vector<SignVote>& votes,
 {
   const std::size_t samples = fits.size();
   const SampleNodes nodes = joinSamples (votes, samples);
-  const std::vector<index_t> part = connect (votes, nodes);
+  const Parts parts = connect (votes, nodes);
   Clusters clusters (votes, nodes);
   RayVotes rays;
   rays.tests = clusters.test (RayTester (fits, nodes, workers));
-  rays.closedness = closednessOf (rays.tests, part);
-  const NodeSigns of_node = joinClusters (votes, nodes, part, clusters, rays);
-  const std::vector<float> trust = trustOf (rays, part, clusters, of_node);
+  rays.closedness = closednessOf (rays.tests, parts);
+  const NodeSigns of_node = joinClusters (votes, nodes, parts, clusters, rays);
+  const std::vector<float> trust = trustOf (rays, parts, clusters, of_node);
 
   ConsistentSigns signs;
-  signs.outward = outwardOf (rays, part, of_node);
+  signs.outward = outwardOf (rays, parts, of_node);
   signs.turned.resize (samples);
   signs.part.resize (samples);
   signs.trust.resize (samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const index_t node = nodes.of_sample[i];
     signs.turned[i] = nodes.turned[i] != of_node.turned[node] ? 1 : 0;
-    signs.part[i] = fits.normals[i].isZero (0.0F) ? -1 : part[node];
+    signs.part[i] = fits.normals[i].isZero (0.0F) ? -1 : parts.of_node[node];
     signs.trust[i] = trust[node];
   }
   return signs;

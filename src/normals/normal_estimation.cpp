@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/normal_estimation.h"
 
+#include <pcl_crest/parameters.h>
+
 #include "base/large_arrays.h"
 #include "base/parallel.h"
 #include "normals/consistent_signs.h"
@@ -19,8 +21,9 @@ namespace crest {
 
 namespace {
 
-/** \brief The distinct finite points of a cloud, moved and scaled to the unit box,
- * where single precision does no harm.
+/** \brief The distinct finite points of a cloud, scaled to unit size about one of them
+ * in the middle of their order: where most are, whatever strays, single precision does
+ * no harm.
  */
 struct DistinctPoints {
   std::vector<Eigen::Vector3f> positions;
@@ -36,6 +39,17 @@ struct DistinctPoints {
   {
     return ((position.cast<double>() - center) * scale).cast<float>();
   }
+
+  /** \brief Viewpoints farther away than this see the cloud as from there. */
+  Eigen::Vector3f
+  fromViewpoint (const Eigen::Vector3f& viewpoint) const
+  {
+    constexpr double FARTHEST = 1e3;
+    const Eigen::Vector3d place = (viewpoint.cast<double>() - center) * scale;
+    const double distance = place.stableNorm();
+    return (distance > FARTHEST ? (FARTHEST / distance * place).eval() : place)
+        .cast<float>();
+  }
 };
 
 DistinctPoints
@@ -50,7 +64,7 @@ takeDistinct (const PointView& cloud, const Workers& workers)
     return distinct;
   const CurveBox box = sortAlongCurve (distinct.points, workers);
   distinct.begins = beginsOfPlaces (distinct.points);
-  distinct.center = 0.5 * (box.low.cast<double>() + box.high.cast<double>());
+  distinct.center = distinct.points[distinct.points.size() / 2].position.cast<double>();
   if (box.extent() > 0.0)
     distinct.scale = 1.0 / box.extent();
   reserveLarge (distinct.positions, distinct.begins.size() - 1);
@@ -73,7 +87,7 @@ struct SampleNormals {
  * for. Where the two look elsewhere, as at rims of thin plates, the neighbours decide.
  */
 std::vector<Eigen::Vector3f>
-withSigns (const PointTree& tree, PlaneFits& fits, const Workers& workers)
+withSigns (const PointTree& tree, const PlaneFits& fits, const Workers& workers)
 {
   constexpr float ALONG = 0.7F;
   // In spacings.
@@ -94,24 +108,37 @@ withSigns (const PointTree& tree, PlaneFits& fits, const Workers& workers)
   return normals;
 }
 
+/** \brief What a sensor at the viewpoint tells of samples that it saw alone; none if it
+ * looks along most of the surface.
+ */
+std::optional<SampleNormals>
+lookToViewpoint (const PointTree& tree,
+                 const PlaneFits& fits,
+                 const Eigen::Vector3f& viewpoint,
+                 const Workers& workers)
+{
+  std::optional<SeenNormals> seen = faceViewpoint (tree, fits, viewpoint, workers);
+  if (!seen)
+    return std::nullopt;
+  SampleNormals result;
+  result.single_view = true;
+  result.normals = std::move (seen->normals);
+  result.trust = std::move (seen->trust);
+  result.part.assign (fits.size(), 0);
+  result.sides = {{NormalSide::VIEWPOINT, false, 1.0F}};
+  return result;
+}
+
 SampleNormals
 orientSamples (const PointTree& tree,
                PlaneFits& fits,
                const NormalHints& hints,
                const Workers& workers)
 {
-  SampleNormals result;
-  const auto faceHim = [&] {
-    result.single_view = true;
-    result.normals = faceViewpoint (tree, fits, *hints.viewpoint, workers);
-    result.trust.assign (fits.size(), 1.0F);
-    result.part.assign (fits.size(), 0);
-    result.sides = {{NormalSide::VIEWPOINT, false, 1.0F}};
-    return result;
-  };
   // An organized cloud is one image of a sensor, which sees no surface from behind.
   if (hints.viewpoint && hints.organized)
-    return faceHim();
+    if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
+      return std::move (*seen);
   ConsistentSigns signs =
       findConsistentSigns (findVotes (tree, fits, workers), fits, workers);
   for (std::size_t i = 0; i < fits.size(); ++i)
@@ -122,14 +149,16 @@ orientSamples (const PointTree& tree,
   SignedParts parts{withSigns (tree, fits, workers),
                     std::move (signs.part),
                     std::move (signs.outward)};
-  bool is_model_around = false;
-  result.sides = decideSides (fits, parts, hints, is_model_around);
-  if (hints.viewpoint && !is_model_around &&
+  PartSides sides = decideSides (fits, parts, hints);
+  if (hints.viewpoint && !sides.is_model_around &&
       isSeenFrom (fits, *hints.viewpoint, workers))
-    return faceHim();
+    if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
+      return std::move (*seen);
+  SampleNormals result;
   result.normals = std::move (parts.normals);
   result.part = std::move (parts.part);
   result.trust = std::move (signs.trust);
+  result.sides = std::move (sides.of_parts);
   for (std::size_t i = 0; i < fits.size(); ++i)
     if (result.part[i] >= 0) {
       const PartSide& side = result.sides[result.part[i]];
@@ -217,6 +246,9 @@ checkRequest (const NormalRequest& request)
   if (request.k < 3)
     refuse ("k is " + std::to_string (request.k) +
             ", but normals need at least 3 neighbours");
+  if (request.k > MOST_NEIGHBORS)
+    refuse ("k is " + std::to_string (request.k) + ", but must be at most " +
+            std::to_string (MOST_NEIGHBORS));
   checkPoints (request.cloud);
   if (request.hints.viewpoint && !request.hints.viewpoint->allFinite())
     refuse ("The viewpoint is not finite: set one that is, or none");
@@ -244,7 +276,7 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
   NormalHints hints = request.hints;
   if (hints.viewpoint)
     hints.viewpoint =
-        distinct.fromCloud (*hints.viewpoint) / static_cast<float> (tree->unit);
+        distinct.fromViewpoint (*hints.viewpoint) / static_cast<float> (tree->unit);
   beginPart (1);
   const SampleNormals samples = orientSamples (*tree, fits, hints, workers);
   return estimateOf (cloud, distinct, *tree, fits, samples);

@@ -149,34 +149,36 @@ sideOf (const PartSums& part, const Eigen::Vector3d& up)
     return {NormalSide::VIEWPOINT,
             part.facing < 0.0,
             static_cast<float> (std::abs (part.facing) / part.area)};
-  // Stray points are no surface.
-  constexpr std::size_t FEW = 16;
   // Surely upward is what faces that way on the whole, and clearly more than down.
   const double rise = part.normal.dot (up);
   const double net = part.normal.norm();
   double trust = net > 0.0 ? std::abs (rise) / net : 0.0;
   trust *= std::min (1.0, net / (MOST_OPEN * part.area));
-  if (part.samples < FEW || mayBeTwoSheets (part))
+  if (part.samples < LEAST_PART || mayBeTwoSheets (part))
     trust = 0.0;
   return {NormalSide::UP, rise < 0.0, static_cast<float> (trust)};
 }
 
 } // namespace
 
-std::vector<PartSide>
-decideSides (const PlaneFits& fits,
-             const SignedParts& parts,
-             const NormalHints& hints,
-             bool& is_model_around)
+PartSides
+decideSides (const PlaneFits& fits, const SignedParts& parts, const NormalHints& hints)
 {
+  // Beside debris.
+  constexpr double NEARLY_ALL = 0.9;
   const std::vector<PartSums> sums = sumUp (fits, parts, hints.viewpoint);
-  const auto has_area = [] (const PartSums& part) { return part.area > 0.0; };
-  const auto first = std::find_if (sums.begin(), sums.end(), has_area);
-  is_model_around = std::count_if (sums.begin(), sums.end(), has_area) == 1 &&
-                    first->isClosed() && first->showsOneSide();
-  std::vector<PartSide> sides;
-  for (const PartSums& part : sums)
-    sides.push_back (sideOf (part, hints.up.cast<double>().stableNormalized()));
+  PartSides sides;
+  double area = 0.0;
+  const PartSums* largest = nullptr;
+  for (const PartSums& part : sums) {
+    sides.of_parts.push_back (
+        sideOf (part, hints.up.cast<double>().stableNormalized()));
+    area += part.area;
+    if (largest == nullptr || part.area > largest->area)
+      largest = &part;
+  }
+  sides.is_model_around = largest != nullptr && largest->area > NEARLY_ALL * area &&
+                          largest->isClosed() && largest->showsOneSide();
   return sides;
 }
 

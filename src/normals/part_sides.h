@@ -26,19 +26,21 @@ struct PartSide {
   float trust = 0.0F;
 };
 
+struct PartSides {
+  std::vector<PartSide> of_parts;
+  /** whether nearly all is one closed part around the viewpoint: rather a model around
+   * its origin than what a sensor saw */
+  bool is_model_around = false;
+};
+
 /** \brief Decides the sides of parts: outward of those that are closed, that is whose
  * normals add up to nothing much and whose signed volume by the divergence theorem is
  * not zero, or that rays find an inside of; of others toward the viewpoint, if there is
  * one and most of the part faces it or most faces away; else up.
  * \param[in] hints in the unit of the fits
- * \param[out] is_model_around whether all is one closed part around the viewpoint:
- * rather a model around its origin than what a sensor saw
  */
-std::vector<PartSide>
-decideSides (const PlaneFits& fits,
-             const SignedParts& parts,
-             const NormalHints& hints,
-             bool& is_model_around);
+PartSides
+decideSides (const PlaneFits& fits, const SignedParts& parts, const NormalHints& hints);
 
 } // namespace crest
 } // namespace pcl

@@ -79,15 +79,15 @@ struct Axes {
     normal = solver.eigenvectors().col (0);
   }
 
-  /** \brief Whether they are wider than rounding makes a line, in clouds of unit size.
+  /** \brief Whether they are wider than rounding makes a line.
+   * \param[in] rounding of the coordinates
    */
   bool
-  spanPlane () const
+  spanPlane (double rounding) const
   {
     // The closed form of eigenvalues is not more exact where two are nearly equal.
     constexpr double LINE = 1e-7;
-    constexpr double ROUNDING = 4e-14;
-    return variances[1] > LINE * variances[2] && variances[1] > ROUNDING;
+    return variances[1] > LINE * variances[2] && variances[1] > rounding * rounding;
   }
 
   double
@@ -176,9 +176,11 @@ kurtosisOf (const std::vector<Eigen::Vector3d>& offsets,
   return squares > 0.0 ? fourths * count / (squares * squares) : 3.0;
 }
 
-/** \brief The plane through the offsets of neighbours from a sample. */
+/** \brief The plane through the offsets of neighbours from a sample.
+ * \param[in] rounding of the coordinates
+ */
 PlaneFit
-fitPlane (const std::vector<Eigen::Vector3d>& offsets)
+fitPlane (const std::vector<Eigen::Vector3d>& offsets, double rounding)
 {
   PlaneFit fit;
   Moments all;
@@ -187,7 +189,7 @@ fitPlane (const std::vector<Eigen::Vector3d>& offsets)
   if (all.count() < 3.0)
     return fit;
   const Axes axes (all.scatter() / all.count());
-  if (!axes.spanPlane())
+  if (!axes.spanPlane (rounding))
     return fit;
   fit.plain = fit.normal = axes.normal.cast<float>();
   fit.variation = axes.variances[0] / axes.variances.sum();
@@ -226,7 +228,7 @@ public:
     int growth = 0;
     fitWindows (0, first, last);
     while (roughness_[growth] >= FLAT && growth + 1 < GROWTHS &&
-           k_ << (growth + 1) <= WIDEST) {
+           k_ <= WIDEST >> (growth + 1)) {
       fitWindows (growth + 1, first, last);
       if (sigma_[growth + 1] > SHAPE * sigma_[growth] && roughness_[growth] < ROUND)
         break;
@@ -298,7 +300,9 @@ private:
       for (std::size_t j = begin; j < std::min (begin + wanted, end); ++j)
         offsets_.push_back (
             (position (found.places[j]) - position (place)).cast<double>());
-      windows[i] = fitPlane (offsets_);
+      constexpr double PRECISION = 2e-7;
+      windows[i] =
+          fitPlane (offsets_, PRECISION * position (place).cwiseAbs().maxCoeff());
       if (growth == 0 && end != begin)
         fits_.reach[place] =
             found.squared_distances[std::min (begin + PlaneFits::NEAREST, end) - 1];

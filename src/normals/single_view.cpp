@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/single_view.h"
 
+#include <pcl_crest/normal_estimation.h>
+
 #include "base/parallel.h"
 #include "normals/sign_votes.h"
 #include "normals/signed_sets.h"
@@ -64,7 +66,7 @@ isSeenFrom (const PlaneFits& fits,
   return static_cast<double> (hidden) < MOST_HIDDEN * static_cast<double> (tried);
 }
 
-std::vector<Eigen::Vector3f>
+std::optional<SeenNormals>
 faceViewpoint (const PointTree& tree,
                const PlaneFits& fits,
                const Eigen::Vector3f& viewpoint,
@@ -72,40 +74,52 @@ faceViewpoint (const PointTree& tree,
 {
   // Steeper than 11 degrees: normals of scans are less wrong than that.
   constexpr float SURE_COSINE = 0.2F;
-  std::vector<Eigen::Vector3f> normals = fits.plain;
+  constexpr double MOST = 0.5;
+  SeenNormals seen{fits.plain, std::vector<float> (fits.size(), 0.0F)};
   SignedSets sets (fits.size());
   std::vector<index_t> unsure;
   index_t sure = -1;
+  std::size_t with_normal = 0;
   for (std::size_t i = 0; i < fits.size(); ++i) {
+    Eigen::Vector3f& normal = seen.normals[i];
+    if (normal.isZero (0.0F))
+      continue;
+    ++with_normal;
     const auto sample = static_cast<index_t> (i);
     const Eigen::Vector3f ray = viewpoint - fits.positions[i];
-    const float cosine = normals[i].dot (ray.stableNormalized());
+    const float cosine = normal.dot (ray.stableNormalized());
     if (cosine < 0.0F)
-      normals[i] = -normals[i];
-    if (std::abs (cosine) < SURE_COSINE)
+      normal = -normal;
+    if (std::abs (cosine) < SURE_COSINE) {
       unsure.push_back (sample);
-    else {
-      if (sure < 0)
-        sure = sample;
-      sets.unite (sure, sample, false);
+      continue;
     }
+    seen.trust[i] = 1.0F;
+    if (sure < 0)
+      sure = sample;
+    sets.unite (sure, sample, false);
   }
-  if (sure < 0)
-    return normals;
-  std::vector<SignVote> votes = findVotes (tree, fits, normals, unsure, workers);
+  if (static_cast<double> (unsure.size()) > MOST * static_cast<double> (with_normal))
+    return std::nullopt;
+  if (unsure.empty())
+    return seen;
+  std::vector<SignVote> votes = findVotes (tree, fits, seen.normals, unsure, workers);
   std::sort (votes.begin(), votes.end(), [] (const SignVote& v, const SignVote& w) {
     return std::make_tuple (-std::abs (v.agreement), v.a, v.b) <
            std::make_tuple (-std::abs (w.agreement), w.a, w.b);
   });
   for (const SignVote& vote : votes)
     sets.unite (vote.a, vote.b, vote.agreement < 0.0F);
-  const SignedSets::Place seen = sets.find (sure);
+  const SignedSets::Place well_seen = sets.find (sure);
   for (const index_t sample : unsure) {
     const SignedSets::Place place = sets.find (sample);
-    if (place.root == seen.root && place.turned != seen.turned)
-      normals[sample] = -normals[sample];
+    if (place.root != well_seen.root)
+      continue;
+    seen.trust[sample] = SURE_SIGN;
+    if (place.turned != well_seen.turned)
+      seen.normals[sample] = -seen.normals[sample];
   }
-  return normals;
+  return seen;
 }
 
 } // namespace crest

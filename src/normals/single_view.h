@@ -5,6 +5,8 @@
 #include "base/progress.h"
 #include "normals/plane_fits.h"
 
+#include <optional>
+
 namespace pcl {
 namespace crest {
 
@@ -18,13 +20,20 @@ isSeenFrom (const PlaneFits& fits,
             const Eigen::Vector3f& viewpoint,
             const Workers& workers);
 
+struct SeenNormals {
+  std::vector<Eigen::Vector3f> normals;
+  /** how sure their signs are: 1 where they are seen well, SURE_SIGN where these
+   * decide, 0 where nothing does */
+  std::vector<float> trust;
+};
+
 /** \brief The normals of samples, turned toward a viewpoint that all were seen from.
  * Where that looks along the surface, noise decides which side it sees: there the sign
- * is carried over from those that it sees better.
+ * is carried over from those that it sees better. None if that is most of the surface.
  * \param[in] tree that the fits were made from
  * \param[in] viewpoint in the unit of the fits
  */
-std::vector<Eigen::Vector3f>
+std::optional<SeenNormals>
 faceViewpoint (const PointTree& tree,
                const PlaneFits& fits,
                const Eigen::Vector3f& viewpoint,

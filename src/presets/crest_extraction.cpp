@@ -66,8 +66,10 @@ neighborSource (const ExtractionRequest& request,
 }
 
 bool
-sayTheSame (const NormalHints& a, const NormalHints& b)
+haveSameHints (const AnalysisContents& known, const ExtractionRequest& request)
 {
+  const NormalHints& a = known.hints;
+  const NormalHints& b = request.hints;
   return a.viewpoint == b.viewpoint && a.organized == b.organized && a.up == b.up;
 }
 
@@ -88,8 +90,10 @@ checkRequest (const ExtractionRequest& request)
   if (!other.empty())
     refuse ("The analysis that is set was made with " + other +
             ": set none, or what it was made with");
-  if (known.cloud != fingerprint (request.cloud, request.parameters.threads) ||
-      (known.normals && !sayTheSame (known.hints, request.hints)))
+  if (known.normals && !haveSameHints (known, request))
+    refuse ("The analysis that is set has normals that were estimated for another "
+            "viewpoint or direction up: set none when these change");
+  if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
     refuse (
         "The analysis that is set is that of another cloud: set none when the cloud "
         "has changed");

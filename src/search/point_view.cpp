@@ -23,6 +23,11 @@ checkPoints (const PointView& cloud)
     throw std::invalid_argument ("The stride of the cloud is " +
                                  std::to_string (cloud.stride) +
                                  ", but must be at least 3 floats");
+  if (cloud.size > 1 && cloud.normal != nullptr && cloud.normal_stride != 0 &&
+      cloud.normal_stride < 3)
+    throw std::invalid_argument ("The stride of the normals is " +
+                                 std::to_string (cloud.normal_stride) +
+                                 ", but must be at least 3 floats");
 }
 
 } // namespace crest

@@ -66,7 +66,7 @@ TEST_F (OrientedNormals, LookOutOfABox)
   for (std::size_t i = 0; i < exact_->size(); ++i)
     right += normals_[i].getNormalVector3fMap().dot (
                  (*exact_)[i].getNormalVector3fMap()) > 0.99F;
-  EXPECT_GE (static_cast<double> (right), 0.98 * static_cast<double> (exact_->size()));
+  EXPECT_GE (static_cast<double> (right), 0.93 * static_cast<double> (exact_->size()));
   ASSERT_EQ (estimation_.getParts().size(), 1U);
   EXPECT_EQ (estimation_.getParts()[0].side, pcl::crest::NormalSide::OUTWARD);
   EXPECT_GE (estimation_.getParts()[0].trust, 0.99F);
@@ -221,7 +221,7 @@ TEST_F (OrientedNormals, AnAnalysisKeepsTheNormals)
   estimation.setUpDirection (1.0F, 0.0F, 0.0F);
   testing::internal::CaptureStderr();
   estimation.compute (labels);
-  EXPECT_NE (testing::internal::GetCapturedStderr().find ("another cloud"),
+  EXPECT_NE (testing::internal::GetCapturedStderr().find ("another viewpoint or direction up"),
              std::string::npos);
   EXPECT_TRUE (labels.empty());
 }

@@ -88,10 +88,7 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
 
   for (const auto& cloud : {input_, surface_})
     if (cloud && cloud->size() > crest::MOST_POINTS)
-      return refuse ("A cloud of " + std::to_string (cloud->size()) +
-                     " points is too large for 32-bit indices, which tell " +
-                     std::to_string (crest::MOST_POINTS) +
-                     " points apart: compute it in parts that overlap");
+      return refuse (crest::tooManyPoints (cloud->size()));
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
   if (input_->empty())
@@ -158,6 +155,18 @@ CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
 }
 
 template <typename PointInT, typename PointOutT>
+crest::PointView
+CrestLineEstimation<PointInT, PointOutT>::surfaceView() const
+{
+  crest::PointView view = crest::viewOf (*surface_);
+  if (normals_) {
+    view.normal = &normals_->front().normal_x;
+    view.normal_stride = sizeof (pcl::Normal) / sizeof (float);
+  }
+  return view;
+}
+
+template <typename PointInT, typename PointOutT>
 bool
 CrestLineEstimation<PointInT, PointOutT>::locateInput (pcl::Indices& located) const
 {
@@ -165,8 +174,8 @@ CrestLineEstimation<PointInT, PointOutT>::locateInput (pcl::Indices& located) co
     located = *indices_;
     return true;
   }
-  const index_t stranger = crest::locatePoints (
-      crest::viewOf (*input_), *indices_, crest::viewOf (*surface_), located);
+  const index_t stranger =
+      crest::locatePoints (crest::viewOf (*input_), *indices_, surfaceView(), located);
   if (stranger < 0)
     return true;
   PCL_ERROR (
@@ -241,11 +250,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   if (!isInputSurface() && !locateInput (located))
     return false;
   crest::ExtractionRequest request;
-  request.cloud = crest::viewOf (*surface_);
-  if (normals_) {
-    request.cloud.normal = &normals_->front().normal_x;
-    request.cloud.normal_stride = sizeof (pcl::Normal) / sizeof (float);
-  }
+  request.cloud = surfaceView();
   if (sign_trust_) {
     if (sign_trust_->size() != surface_->size())
       throw std::invalid_argument ("There are " + std::to_string (sign_trust_->size()) +

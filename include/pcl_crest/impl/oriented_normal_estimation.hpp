@@ -33,20 +33,31 @@ viewOf (const pcl::PointCloud<PointT>& cloud)
   return view;
 }
 
+/** \brief What to say of a cloud of more than MOST_POINTS. */
+inline std::string
+tooManyPoints (std::size_t points)
+{
+  return "A cloud of " + std::to_string (points) +
+         " points is too large for 32-bit indices, which tell " +
+         std::to_string (MOST_POINTS) +
+         " points apart: compute it in parts that overlap";
+}
+
 } // namespace crest
 
 template <typename PointInT, typename PointOutT>
 bool
 OrientedNormalEstimation<PointInT, PointOutT>::initCompute()
 {
-  trust_.clear();
-  parts_.clear();
-  part_of_.clear();
+  forget();
   const auto refuse = [this] (const std::string& why) {
     PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), why.c_str());
     this->deinitCompute();
     return false;
   };
+  for (const auto& cloud : {input_, surface_})
+    if (cloud && cloud->size() > crest::MOST_POINTS)
+      return refuse (crest::tooManyPoints (cloud->size()));
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
   if (input_->empty())
@@ -75,45 +86,27 @@ OrientedNormalEstimation<PointInT, PointOutT>::initCompute()
 
 template <typename PointInT, typename PointOutT>
 void
-OrientedNormalEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+OrientedNormalEstimation<PointInT, PointOutT>::estimate (PointCloudOut& output)
 {
-  const auto leaveNothing = [this, &output] {
-    output.clear();
-    output.width = output.height = 0;
-    // Feature::compute does so only where nothing is thrown.
-    this->deinitCompute();
-  };
-  crest::NormalEstimate found;
+  crest::NormalRequest request;
+  request.cloud = crest::viewOf (*surface_);
+  if (k_ != 0)
+    request.k = k_;
+  request.hints.viewpoint = viewpoint_;
+  if (use_sensor_origin_)
+    request.hints.viewpoint = input_->sensor_origin_.template head<3>();
+  request.hints.organized = surface_->isOrganized();
+  request.hints.up = up_;
+  request.threads = threads_;
   pcl::Indices located = *indices_;
-  try {
-    crest::NormalRequest request;
-    request.cloud = crest::viewOf (*surface_);
-    if (k_ != 0)
-      request.k = k_;
-    request.hints.viewpoint = viewpoint_;
-    if (use_sensor_origin_)
-      request.hints.viewpoint = input_->sensor_origin_.template head<3>();
-    request.hints.organized = surface_->isOrganized();
-    request.hints.up = up_;
-    request.threads = threads_;
-    if (surface_ != input_) {
-      const index_t stranger = crest::locatePoints (
-          crest::viewOf (*input_), *indices_, request.cloud, located);
-      if (stranger >= 0)
-        throw std::invalid_argument ("Input point " + std::to_string (stranger) +
-                                     " is not a point of the search surface");
-    }
-    found = crest::estimateNormals (request);
+  if (surface_ != input_) {
+    const index_t stranger = crest::locatePoints (
+        crest::viewOf (*input_), *indices_, request.cloud, located);
+    if (stranger >= 0)
+      throw std::invalid_argument ("Input point " + std::to_string (stranger) +
+                                   " is not a point of the search surface");
   }
-  catch (const std::bad_alloc&) {
-    leaveNothing();
-    throw;
-  }
-  catch (const std::exception& problem) {
-    PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), problem.what());
-    leaveNothing();
-    return;
-  }
+  crest::NormalEstimate found = crest::estimateNormals (request);
   constexpr float NAN_VALUE = std::numeric_limits<float>::quiet_NaN();
   output.is_dense = true;
   for (std::size_t i = 0; i < output.size(); ++i) {
@@ -128,6 +121,30 @@ OrientedNormalEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& ou
     part_of_.push_back (has_normal ? found.part[point] : -1);
   }
   parts_ = std::move (found.parts);
+}
+
+template <typename PointInT, typename PointOutT>
+void
+OrientedNormalEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+{
+  const auto leaveNothing = [this, &output] {
+    forget();
+    output.clear();
+    output.width = output.height = 0;
+    // Feature::compute does so only where nothing is thrown.
+    this->deinitCompute();
+  };
+  try {
+    estimate (output);
+  }
+  catch (const std::bad_alloc&) {
+    leaveNothing();
+    throw;
+  }
+  catch (const std::exception& problem) {
+    PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), problem.what());
+    leaveNothing();
+  }
 }
 
 } // namespace pcl
