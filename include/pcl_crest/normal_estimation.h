@@ -84,7 +84,8 @@ struct NormalEstimate {
   {
     std::size_t unsure = 0;
     for (std::size_t i = 0; i < trust.size(); ++i)
-      unsure += part[i] >= 0 && trust[i] < SURE_SIGN ? 1 : 0;
+      if (part[i] >= 0 && trust[i] < SURE_SIGN)
+        ++unsure;
     return unsure;
   }
 };

@@ -156,6 +156,14 @@ public:
       if (is_tested[root] != 0)
         samples_of[root].push_back (static_cast<index_t> (i));
     }
+    const auto wanted = [&] (const std::vector<index_t>& samples) {
+      return std::clamp (samples.size() / EVERY, LEAST, most);
+    };
+    std::size_t all = 0;
+    for (const std::vector<index_t>& samples : samples_of)
+      all += samples.size() < LEAST_PART ? 0 : wanted (samples);
+    // Crumbs take no more rays than a whole surface would.
+    const std::size_t affordable = nodes_.of_sample.size() / EVERY + 1000;
     std::vector<RayTest> tests;
     std::vector<index_t> tested;
     std::vector<std::size_t> ends;
@@ -164,7 +172,11 @@ public:
       const std::size_t size = samples.size();
       if (size < LEAST_PART)
         continue;
-      const std::size_t count = std::clamp (size / EVERY, LEAST, most);
+      std::size_t count = wanted (samples);
+      if (all > affordable)
+        count = count * affordable / all;
+      if (count < LEAST / 2)
+        continue;
       for (std::size_t t = 0; t < count; ++t)
         tested.push_back (samples[(2 * t + 1) * size / (2 * count)]);
       ends.push_back (tested.size());

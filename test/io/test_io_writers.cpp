@@ -61,7 +61,8 @@ measuresOf (const CrestLine& line)
           {"strength", line.strength},
           {"mean_curvature", line.mean_curvature},
           {"turning_angle", line.turning_angle},
-          {"scale", line.scale}};
+          {"scale", line.scale},
+          {"sign_trust", line.sign_trust}};
 }
 
 class IoWriters : public testing::Test {
