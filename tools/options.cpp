@@ -40,7 +40,7 @@ takePlace (const std::string& text, Eigen::Vector3f& place)
 {
   std::vector<std::string> words;
   boost::split (words, text, boost::is_any_of (","));
-  const std::string wanted = "three numbers X,Y,Z";
+  std::string wanted = "three numbers X,Y,Z";
   if (words.size() != 3)
     return wanted;
   for (int i = 0; i < 3; ++i) {

@@ -293,7 +293,8 @@ private:
   {
     const auto wanted = static_cast<std::size_t> ((k_ << growth) - 1);
     for (int i = 0; i < found.count; ++i) {
-      const auto place = static_cast<std::size_t> (found.first + i);
+      const auto place =
+          static_cast<std::size_t> (found.first) + static_cast<std::size_t> (i);
       const std::size_t begin = found.offsets[i];
       const std::size_t end = found.offsets[i + 1];
       offsets_.assign (1, Eigen::Vector3d::Zero());
@@ -365,15 +366,14 @@ limitReach (const PointTree& tree, PlaneFits& fits)
 {
   std::vector<std::pair<std::size_t, float>> limits;
   LeafSearch search (tree, {PlaneFits::NEAREST});
-  std::array<float, MEMBERS> reaches{};
+  std::vector<float> reaches;
   for (std::size_t first = 0; first < fits.size(); first += MEMBERS) {
     const std::size_t last = std::min (first + MEMBERS, fits.size());
-    const auto end =
-        std::copy (fits.reach.begin() + static_cast<std::ptrdiff_t> (first),
-                   fits.reach.begin() + static_cast<std::ptrdiff_t> (last),
-                   reaches.begin());
-    const auto quartile = reaches.begin() + (end - reaches.begin()) / 4;
-    std::nth_element (reaches.begin(), quartile, end);
+    reaches.assign (fits.reach.begin() + static_cast<std::ptrdiff_t> (first),
+                    fits.reach.begin() + static_cast<std::ptrdiff_t> (last));
+    const auto quartile =
+        reaches.begin() + static_cast<std::ptrdiff_t> (reaches.size() / 4);
+    std::nth_element (reaches.begin(), quartile, reaches.end());
     for (std::size_t place = first; place < last; ++place) {
       if (fits.reach[place] <= MOST_UNEVEN * *quartile)
         continue;

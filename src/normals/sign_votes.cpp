@@ -106,7 +106,8 @@ findVotes (const PointTree& tree, const PlaneFits& fits, const Workers& workers)
                   for (; first < last; first += LEAF_SIZE) {
                     const LeafNeighbors& found = search.searchLeaf (first / LEAF_SIZE);
                     for (int i = 0; i < found.count; ++i) {
-                      const auto a = static_cast<std::size_t> (found.first + i);
+                      const auto a = static_cast<std::size_t> (found.first) +
+                                     static_cast<std::size_t> (i);
                       if (fits.normals[a].isZero (0.0F))
                         continue;
                       for (std::size_t j = found.offsets[i]; j < found.offsets[i + 1];

@@ -2,8 +2,8 @@
 // The input of the method (paper, section 4): points that know their normals.
 #pragma once
 
-#include <pcl_crest/types.h>
 #include <pcl_crest/input.h>
+#include <pcl_crest/types.h>
 
 #include <Eigen/Core>
 

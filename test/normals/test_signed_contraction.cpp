@@ -32,13 +32,14 @@ TEST (SignedContraction, FindsPlantedSignsThroughNoise)
 {
   // A lattice whose votes are wrong in a fifth of all cases.
   constexpr int SIDE = 30;
+  constexpr std::size_t ALL = 900;
   std::mt19937 random (5);
   std::bernoulli_distribution wrong (0.2);
   std::bernoulli_distribution coin (0.5);
   std::vector<bool> planted;
   for (int i = 0; i < SIDE * SIDE; ++i)
     planted.push_back (coin (random));
-  SignedContraction graph (std::vector<std::size_t> (SIDE * SIDE, 1));
+  SignedContraction graph (std::vector<std::size_t> (ALL, 1));
   const auto vote = [&] (int a, int b) {
     const float weight = planted[a] == planted[b] ? 1.0F : -1.0F;
     graph.vote (a, b, wrong (random) ? -weight : weight);
@@ -49,7 +50,7 @@ TEST (SignedContraction, FindsPlantedSignsThroughNoise)
            {std::pair (0, 1), {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}})
         if (i + di < SIDE && j + dj >= 0 && j + dj < SIDE)
           vote (i * SIDE + j, (i + di) * SIDE + j + dj);
-  graph.contract (0.0F, 0.0F, SIDE * SIDE);
+  graph.contract (0.0F, 0.0F, ALL);
   int same = 0;
   for (int i = 0; i < SIDE * SIDE; ++i) {
     EXPECT_EQ (graph.find (i).root, graph.find (0).root);

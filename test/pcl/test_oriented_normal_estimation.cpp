@@ -221,8 +221,9 @@ TEST_F (OrientedNormals, AnAnalysisKeepsTheNormals)
   estimation.setUpDirection (1.0F, 0.0F, 0.0F);
   testing::internal::CaptureStderr();
   estimation.compute (labels);
-  EXPECT_NE (testing::internal::GetCapturedStderr().find ("another viewpoint or direction up"),
-             std::string::npos);
+  EXPECT_NE (
+      testing::internal::GetCapturedStderr().find ("another viewpoint or direction up"),
+      std::string::npos);
   EXPECT_TRUE (labels.empty());
 }
 
