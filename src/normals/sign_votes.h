@@ -41,8 +41,8 @@ agreementOf (const Eigen::Vector3f& n,
              float error);
 
 /** \brief The votes of all samples with their PlaneFits::NEAREST for the normals of
- * their windows, each pair once (twice where others are just as near as the last of
- * these). Stray points have none with what they are far from.
+ * their windows: each pair once, or twice where both list the other at the reach of one
+ * or, as of stray points, beyond it.
  * \param[in] tree that the fits were made from
  */
 std::vector<SignVote>
