@@ -76,8 +76,8 @@ optionsOf (const InputCloud& cloud)
   std::string text = " -estimate_normals";
   if (cloud.options.viewpoint)
     text += " -viewpoint " + place (*cloud.options.viewpoint);
-  if (cloud.options.up != NormalOptions().up)
-    text += " -up " + place (cloud.options.up);
+  if (cloud.options.up)
+    text += " -up " + place (*cloud.options.up);
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include <pcl_crest/surface_analysis.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -21,9 +22,10 @@ struct ExtractionRequest {
    * estimated (see estimateNormals) */
   PointView cloud{nullptr, nullptr, 0, 0};
   /** of each point of the cloud how sure the sign of its normal is, 0 to 1 (see
-   * CrestLine::sign_trust); null where they are right, or are estimated */
+   * CrestLine::sign_trust). With it normals are used as they are; null to have them
+   * checked, and what contradicts its neighbours repaired (see NormalCheck) */
   const float* sign_trust = nullptr;
-  /** for the normals that are estimated */
+  /** for normals that are estimated, or divided about their side */
   NormalHints hints;
   Parameters parameters;
   /** finds candidate neighbours in the cloud, k of them or those within the radius, in
@@ -47,6 +49,8 @@ struct ExtractionStatistics {
   double mean_spacing = 0.0;
   /** largest side of the bounding box of the valid points */
   double extent = 0.0;
+  /** none unless the cloud has normals that were checked */
+  std::optional<NormalFindings> normals;
   /** the chart of section 4.7: how many lines of each size before S removed some */
   PerType<LineSizes> line_sizes;
   std::vector<StageTime> times;
@@ -75,6 +79,8 @@ struct Extraction {
   ExtractionStatistics statistics;
   /** null unless normals were estimated */
   std::shared_ptr<const NormalEstimate> normals;
+  /** null unless the cloud has normals that were checked */
+  std::shared_ptr<const NormalCheck> normal_check;
   /** null unless it was to be kept */
   std::shared_ptr<const SurfaceAnalysis> analysis;
 

@@ -11,6 +11,7 @@
 #include <pcl/PolygonMesh.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -23,8 +24,9 @@ namespace pcl {
  *
  * The method needs normals that point consistently to one side of the surface, outward
  * for closed ones: flipping them all swaps ridges and valleys. They are those of the
- * points, or of setInputNormals; else compute estimates them by itself. Normals that
- * are zero or not finite make their points invalid.
+ * points, or of setInputNormals; else compute estimates them by itself. Those that
+ * are zero or not finite are estimated, those that contradict their neighbours turned
+ * over, where it is certain how; PCL_WARN says so (see getNormalCheck).
  *
  * \code
  * pcl::CrestLineEstimation<pcl::PointNormal> estimation;
@@ -298,7 +300,8 @@ public:
 
   /** \brief Set how sure the signs of the surface's normals are, one for each of its
    * points, as OrientedNormalEstimation::getTrust tells (see CrestLine::sign_trust).
-   * Null for normals that are right.
+   * With it normals are used as they are. Null for those of another source: they are
+   * checked, and repaired where it is certain how (see getNormalCheck).
    */
   void
   setSignTrust (std::shared_ptr<const std::vector<float>> trust)
@@ -307,21 +310,22 @@ public:
   }
 
   /** \brief Set where the cloud was seen from, in its unit, for the side of normals
-   * that compute estimates.
+   * that compute estimates: sensor_origin_ of the surface by default, as
+   * OrientedNormalEstimation has it.
    */
   void
   setViewPoint (float x, float y, float z)
   {
-    hints_.viewpoint = Eigen::Vector3f (x, y, z);
+    viewpoint_ = Eigen::Vector3f (x, y, z);
   }
 
   /** \brief Set the side of open parts that no viewpoint decides, for normals that
-   * compute estimates; +z by default.
+   * compute estimates; +z by default, which is a guess.
    */
   void
   setUpDirection (float x, float y, float z)
   {
-    hints_.up = Eigen::Vector3f (x, y, z);
+    up_ = Eigen::Vector3f (x, y, z);
   }
 
   using Feature<PointInT, PointOutT>::compute;
@@ -374,6 +378,15 @@ public:
     return result_.normals;
   }
 
+  /** \brief What the last compute found of the normals that it was given, and how it
+   * used them; null where it had none, or setSignTrust.
+   */
+  const std::shared_ptr<const crest::NormalCheck>&
+  getNormalCheck () const
+  {
+    return result_.normal_check;
+  }
+
   /** \brief What the last compute found out beside its outputs. */
   using Statistics = crest::ExtractionStatistics;
   const Statistics&
@@ -411,6 +424,7 @@ private:
     Statistics statistics;
     std::shared_ptr<const crest::SurfaceAnalysis> analysis;
     std::shared_ptr<const crest::NormalEstimate> normals;
+    std::shared_ptr<const crest::NormalCheck> normal_check;
   };
 
   void
@@ -448,6 +462,10 @@ private:
                 const pcl::Indices& located,
                 const PointCloudOut& layout);
 
+  /** \brief Says what of the normals is not as a user may think. */
+  void
+  warnOfNormals (const crest::Extraction& found) const;
+
   /** \brief Whether the user's search method can take the surface; gives it over. */
   bool
   prepareSearchMethod ();
@@ -458,7 +476,8 @@ private:
   std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
   pcl::PointCloud<pcl::Normal>::ConstPtr normals_;
   std::shared_ptr<const std::vector<float>> sign_trust_;
-  crest::NormalHints hints_;
+  std::optional<Eigen::Vector3f> viewpoint_;
+  std::optional<Eigen::Vector3f> up_;
   Result result_;
   /** \brief Those of all points of a surface, for as long as what they were made of is
    * kept. */

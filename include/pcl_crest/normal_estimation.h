@@ -18,7 +18,7 @@ enum class NormalSide {
   OUTWARD,
   /** where a sensor was */
   VIEWPOINT,
-  /** of an open surface that nothing else is known of: a guess */
+  /** of an open surface that nothing else is known of */
   UP
 };
 
@@ -26,11 +26,16 @@ enum class NormalSide {
 struct NormalHints {
   /** where the cloud was seen from, in its unit */
   std::optional<Eigen::Vector3f> viewpoint;
+  /** whether that is only the origin of a cloud which may say nothing of a sensor: then
+   * what is closed around it is a model, while from a viewpoint that somebody set it is
+   * a room */
+  bool viewpoint_assumed = false;
   /** whether the cloud is an image that a sensor took there: then all was seen from
    * there, and nothing from behind */
   bool organized = false;
-  /** the side of open parts that no viewpoint decides, of any length but zero */
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  /** the side of open parts that no viewpoint decides, of any length but zero; +z if
+   * there is none, which is a guess (see NormalPart::trust) */
+  std::optional<Eigen::Vector3f> up;
 };
 
 /** \brief What normals to estimate, and from what. */
@@ -45,18 +50,19 @@ struct NormalRequest {
   ProgressCallback progress;
 };
 
+/** From this trust on a sign is taken to be known. */
+constexpr float SURE_SIGN = 0.5F;
+
 /** \brief Points that neighbours connect, whose normals are on one side of them; of a
  * single view all.
  */
 struct NormalPart {
   std::size_t points = 0;
   NormalSide side = NormalSide::UP;
-  /** how sure that side is for the part as a whole, from 0, a guess, to 1 */
+  /** how sure that side is for the part as a whole, from 0 to 1; less than SURE_SIGN
+   * where it is a guess */
   float trust = 0.0F;
 };
-
-/** From this trust on a sign is taken to be known. */
-constexpr float SURE_SIGN = 0.5F;
 
 /** Fewer points are no surface: of such parts nothing is sure. */
 constexpr std::size_t LEAST_PART = 16;
@@ -90,6 +96,43 @@ struct NormalEstimate {
   }
 };
 
+/** \brief What of the signs is not to be trusted, in words for the user; empty if all
+ * is.
+ */
+PCL_CREST_EXPORT std::string
+explainDoubt (const NormalEstimate& estimate);
+
+/** \brief What was found of normals that came with a cloud, in finite points, and what
+ * became of it.
+ */
+struct NormalFindings {
+  /** lengths that are off 1 by more than a hundredth: directions alone are used */
+  std::size_t not_unit = 0;
+  /** zero or not finite */
+  std::size_t missing = 0;
+  /** of these, that were estimated; the others are left out */
+  std::size_t filled = 0;
+  /** that contradicted their neighbours for sure, and were turned over */
+  std::size_t turned = 0;
+  /** that seem to look to the wrong side, but for a doubt: used as they are */
+  std::size_t doubtful = 0;
+  /** of parts whose normals were so divided that their side is a guess */
+  std::size_t guessed = 0;
+};
+
+/** \brief The normals that a cloud came with, checked. */
+struct NormalCheck {
+  NormalFindings findings;
+  /** of each point the normal that is used; empty where all are used as they came */
+  std::vector<Eigen::Vector3f> normals;
+  /** of each point how sure its sign is, as in NormalEstimate; empty with normals */
+  std::vector<float> trust;
+};
+
+/** \brief What was found, in words for the user; empty if nothing was. */
+PCL_CREST_EXPORT std::string
+explainFindings (const NormalFindings& findings);
+
 /** \brief Estimates the normals of a cloud and turns them to one side of the surface.
  *
  * Planes are fitted to the k nearest neighbours (Hoppe et al. 1992), to more only where
@@ -98,10 +141,10 @@ struct NormalEstimate {
  * of closed surfaces by rays that count sheets (Mullen et al. 2010).
  *
  * Where all was seen from the viewpoint alone, because the cloud is an image or because
- * no points hide others, all normals face it, unless the cloud is one closed surface
- * around it. Otherwise each connected part looks outward if it is closed; else toward
- * the viewpoint, if there is one and most of the part faces it or most faces away; else
- * up.
+ * no points hide others, all normals face it, unless it is assumed and the cloud one
+ * closed surface around it. Otherwise each connected part looks outward if it is
+ * closed; else toward the viewpoint, if there is one and most of the part faces it or
+ * most faces away; else up.
  *
  * The result depends neither on the order of the points, but for theirs in the output,
  * nor on the number of threads.

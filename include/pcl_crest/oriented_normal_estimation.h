@@ -72,14 +72,19 @@ public:
     use_sensor_origin_ = false;
   }
 
-  /** \brief Take sensor_origin_ of the input cloud for the viewpoint. */
+  /** \brief Take sensor_origin_ of the surface, the input cloud unless setSearchSurface
+   * is used, for the viewpoint, as pcl::NormalEstimation does and this unless
+   * setViewPoint is called. At the origin, where it is of clouds that say nothing of a
+   * sensor, it is one that is assumed (see crest::NormalHints).
+   */
   void
   useSensorOriginAsViewPoint ()
   {
     use_sensor_origin_ = true;
   }
 
-  /** \brief Set the side of open parts that no viewpoint decides; +z by default. */
+  /** \brief Set the side of open parts that no viewpoint decides; +z by default,
+   * which is a guess. */
   void
   setUpDirection (float x, float y, float z)
   {
@@ -151,10 +156,10 @@ private:
     part_of_.clear();
   }
 
-  std::optional<Eigen::Vector3f> viewpoint_;
-  bool use_sensor_origin_ = false;
-  Eigen::Vector3f up_ = Eigen::Vector3f::UnitZ();
-  unsigned threads_ = 1;
+  Eigen::Vector3f viewpoint_ = Eigen::Vector3f::Zero();
+  bool use_sensor_origin_ = true;
+  std::optional<Eigen::Vector3f> up_;
+  unsigned threads_ = 0;
   std::vector<float> trust_;
   std::vector<crest::NormalPart> parts_;
   std::vector<crest::index_t> part_of_;

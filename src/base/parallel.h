@@ -88,8 +88,9 @@ forEachBlock (std::size_t size, const Workers& workers, const Work& work)
   };
   // Even of one thread a parallel region makes those within it dear, which FLANN opens
   // for each query.
-  const int threads = threadCount (workers.threads);
-  if (threads == 1)
+  const auto threads = static_cast<int> (
+      std::min<std::ptrdiff_t> (threadCount (workers.threads), blocks));
+  if (threads <= 1)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
       workOn (block, true);
   else {

@@ -9,6 +9,7 @@
 #include "io/file_content.h"
 #include "io/load_pcd_module.h"
 #include "io/output_file.h"
+#include "normals/face_winding.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -128,28 +129,8 @@ describe (const NormalEstimate& estimate, std::size_t k)
   };
   add (NormalSide::OUTWARD, " closed: outward.");
   add (NormalSide::VIEWPOINT, " open: mostly toward the viewpoint.");
-  add (NormalSide::UP, " open: upward (-up), a guess.");
+  add (NormalSide::UP, " open: upward (-up).");
   return note;
-}
-
-/** \brief What is not to be trusted of signs; empty if they are. */
-std::string
-describeDoubt (const NormalEstimate& estimate)
-{
-  const std::size_t unsure = estimate.countUnsure();
-  if (unsure == 0)
-    return {};
-  const auto of_parts = [] (const NormalPart& part) { return part.trust < SURE_SIGN; };
-  const auto parts =
-      std::count_if (estimate.parts.begin(), estimate.parts.end(), of_parts);
-  std::string note = "It is not known to which side " + std::to_string (unsure) +
-                     (unsure == 1 ? " normal looks" : " normals look");
-  if (parts != 0)
-    note += ", among them all of " + std::to_string (parts) + " of " +
-            std::to_string (estimate.parts.size()) +
-            (estimate.parts.size() == 1 ? " part" : " parts");
-  return note + ": ridges and valleys may be swapped there. A viewpoint tells it "
-                "(-viewpoint), or a direction up (-up).";
 }
 
 /** \brief Only positions are of interest. */
@@ -168,6 +149,23 @@ setNormals (const std::vector<Eigen::Vector3f>& normals,
 {
   for (std::size_t i = 0; i < normals.size(); ++i)
     points[i].getNormalVector3fMap() = normals[i];
+}
+
+/** \brief Makes faces run around the same way, and notes where they did not. */
+void
+unifyFaces (FileContent& content)
+{
+  const FaceWinding winding = unifyWinding (viewOf (*content.points), content.faces);
+  if (winding.turned != 0)
+    content.notes.push_back (std::to_string (winding.turned) + " of " +
+                             std::to_string (content.faces.ends.size()) +
+                             " faces run around the other way than those beside them, "
+                             "and were turned over.");
+  if (winding.contradictory != 0)
+    content.notes.push_back ("At " + std::to_string (winding.contradictory) +
+                             " edges no order of corners makes both faces look to the "
+                             "same side: the surface has but one side, or crosses "
+                             "itself.");
 }
 
 /** \brief Takes the normals from the best source that there is. */
@@ -192,6 +190,7 @@ provideNormals (FileContent& content,
         "The normals of the file are all zero or not finite, and are not used.");
   }
   if (!content.faces.ends.empty()) {
+    unifyFaces (content);
     setNormals (faceNormals (viewOf (*content.points), content.faces), *content.points);
     const std::size_t with_normal = countUsableNormals (*content.points);
     if (with_normal != 0) {
@@ -207,15 +206,25 @@ provideNormals (FileContent& content,
   request.cloud = viewOf (*content.points);
   request.k = k;
   request.hints.viewpoint = options.viewpoint ? options.viewpoint : content.viewpoint;
+  request.hints.viewpoint_assumed =
+      !options.viewpoint && content.viewpoint && content.viewpoint->isZero (0.0F);
   request.hints.organized = content.points->height > 1;
   request.hints.up = options.up;
   request.threads = threads;
   estimate = std::make_shared<const NormalEstimate> (estimateNormals (request));
   setNormals (estimate->normals, *content.points);
   content.notes.push_back (describe (*estimate, std::min<std::size_t> (k, size)));
-  const std::string doubt = describeDoubt (*estimate);
+  const auto is_seen = [] (const NormalPart& part) {
+    return part.side == NormalSide::VIEWPOINT;
+  };
+  if (options.viewpoint &&
+      std::none_of (estimate->parts.begin(), estimate->parts.end(), is_seen))
+    content.notes.emplace_back ("The viewpoint decides nothing: about as much of the "
+                                "surface faces it as looks away.");
+  const std::string doubt = explainDoubt (*estimate);
   if (!doubt.empty())
-    content.notes.push_back (doubt);
+    content.notes.push_back (
+        doubt + ". A viewpoint tells it (-viewpoint), or a direction up (-up).");
   return NormalSource::ESTIMATED;
 }
 
@@ -274,8 +283,7 @@ readCloud (const std::string& file,
     }
     std::shared_ptr<const NormalEstimate> estimate;
     const NormalSource source = provideNormals (content, k, threads, options, estimate);
-    if (source != NormalSource::ESTIMATED &&
-        (options.viewpoint || options.up != NormalOptions().up))
+    if (source != NormalSource::ESTIMATED && (options.viewpoint || options.up))
       content.notes.emplace_back (
           "The viewpoint and the direction up are not used, as the normals are those "
           "of the file: they are for estimated ones (-estimate_normals).");

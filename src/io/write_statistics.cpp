@@ -97,6 +97,18 @@ describe (const NormalEstimate& estimate)
   return json;
 }
 
+/** \brief What was found of normals that came with the points. */
+Json
+describe (const NormalFindings& findings)
+{
+  return {{"not_unit", findings.not_unit},
+          {"missing", findings.missing},
+          {"filled", findings.filled},
+          {"turned", findings.turned},
+          {"doubtful", findings.doubtful},
+          {"guessed", findings.guessed}};
+}
+
 Json
 describe (CrestType type,
           const pcl::PointCloud<pcl::Label>& labels,
@@ -180,6 +192,8 @@ writeStatistics (
   json["normals"] = nameOf (cloud.normals);
   if (cloud.estimate)
     json["orientation"] = describe (*cloud.estimate);
+  if (statistics.normals)
+    json["normal_check"] = describe (*statistics.normals);
   json["mean_spacing"] = statistics.mean_spacing;
   json["extent"] = statistics.extent;
   json["parameters"] = describe (parameters);

@@ -3,14 +3,11 @@
 
 #include <pcl_crest/parameters.h>
 
-#include "base/large_arrays.h"
-#include "base/parallel.h"
 #include "normals/consistent_signs.h"
+#include "normals/distinct_points.h"
 #include "normals/part_sides.h"
 #include "normals/sharp_normals.h"
 #include "normals/single_view.h"
-#include "search/curve_order.h"
-#include "search/point_view.h"
 #include "search/position_tree.h"
 
 #include <algorithm>
@@ -20,59 +17,6 @@ namespace pcl {
 namespace crest {
 
 namespace {
-
-/** \brief The distinct finite points of a cloud, scaled to unit size about one of them
- * in the middle of their order: where most are, whatever strays, single precision does
- * no harm.
- */
-struct DistinctPoints {
-  std::vector<Eigen::Vector3f> positions;
-  /** the points of the cloud, coincident ones next to each other */
-  std::vector<CurvePoint> points;
-  /** where in these the ones at each position begin, and the end */
-  std::vector<std::size_t> begins;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double scale = 1.0;
-
-  Eigen::Vector3f
-  fromCloud (const Eigen::Vector3f& position) const
-  {
-    return ((position.cast<double>() - center) * scale).cast<float>();
-  }
-
-  /** \brief Viewpoints farther away than this see the cloud as from there. */
-  Eigen::Vector3f
-  fromViewpoint (const Eigen::Vector3f& viewpoint) const
-  {
-    constexpr double FARTHEST = 1e3;
-    const Eigen::Vector3d place = (viewpoint.cast<double>() - center) * scale;
-    const double distance = place.stableNorm();
-    return (distance > FARTHEST ? (FARTHEST / distance * place).eval() : place)
-        .cast<float>();
-  }
-};
-
-DistinctPoints
-takeDistinct (const PointView& cloud, const Workers& workers)
-{
-  DistinctPoints distinct;
-  reserveLarge (distinct.points, cloud.size);
-  for (std::size_t i = 0; i < cloud.size; ++i)
-    if (cloud.positionOf (i).allFinite())
-      distinct.points.push_back ({0, cloud.positionOf (i), static_cast<index_t> (i)});
-  if (distinct.points.empty())
-    return distinct;
-  const CurveBox box = sortAlongCurve (distinct.points, workers);
-  distinct.begins = beginsOfPlaces (distinct.points);
-  distinct.center = distinct.points[distinct.points.size() / 2].position.cast<double>();
-  if (box.extent() > 0.0)
-    distinct.scale = 1.0 / box.extent();
-  reserveLarge (distinct.positions, distinct.begins.size() - 1);
-  for (std::size_t i = 0; i + 1 < distinct.begins.size(); ++i)
-    distinct.positions.push_back (
-        distinct.fromCloud (distinct.points[distinct.begins[i]].position));
-  return distinct;
-}
 
 /** \brief Normals by samples' places in the tree. */
 struct SampleNormals {
@@ -150,7 +94,7 @@ orientSamples (const PointTree& tree,
                     std::move (signs.part),
                     std::move (signs.outward)};
   PartSides sides = decideSides (fits, parts, hints);
-  if (hints.viewpoint && !sides.is_model_around &&
+  if (hints.viewpoint && !(sides.is_model_around && hints.viewpoint_assumed) &&
       isSeenFrom (fits, *hints.viewpoint, workers))
     if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
       return std::move (*seen);
@@ -252,7 +196,8 @@ checkRequest (const NormalRequest& request)
   checkPoints (request.cloud);
   if (request.hints.viewpoint && !request.hints.viewpoint->allFinite())
     refuse ("The viewpoint is not finite: set one that is, or none");
-  if (!request.hints.up.allFinite() || request.hints.up.isZero (0.0F))
+  const std::optional<Eigen::Vector3f>& up = request.hints.up;
+  if (up && (!up->allFinite() || up->isZero (0.0F)))
     refuse ("The up direction is zero or not finite: set a direction, as 0 0 1");
 }
 
@@ -273,12 +218,9 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
   beginPart (0);
   PlaneFits fits = fitPlanes (*tree, request.k, workers);
   sharpenNormals (*tree, fits, workers);
-  NormalHints hints = request.hints;
-  if (hints.viewpoint)
-    hints.viewpoint =
-        distinct.fromViewpoint (*hints.viewpoint) / static_cast<float> (tree->unit);
   beginPart (1);
-  const SampleNormals samples = orientSamples (*tree, fits, hints, workers);
+  const SampleNormals samples = orientSamples (
+      *tree, fits, hintsFor (request.hints, distinct, tree->unit), workers);
   return estimateOf (cloud, distinct, *tree, fits, samples);
 }
 
@@ -290,6 +232,24 @@ estimateNormals (const NormalRequest& request)
   NormalEstimate estimate = estimateNormals (request, {request.threads, &progress});
   progress.finish();
   return estimate;
+}
+
+std::string
+explainDoubt (const NormalEstimate& estimate)
+{
+  const std::size_t unsure = estimate.countUnsure();
+  if (unsure == 0)
+    return {};
+  const auto is_unsure = [] (const NormalPart& part) { return part.trust < SURE_SIGN; };
+  const auto parts =
+      std::count_if (estimate.parts.begin(), estimate.parts.end(), is_unsure);
+  std::string words = "It is not known to which side " + std::to_string (unsure) +
+                      (unsure == 1 ? " normal looks" : " normals look");
+  if (parts != 0)
+    words += ", among them all of " + std::to_string (parts) + " of " +
+             std::to_string (estimate.parts.size()) +
+             (estimate.parts.size() == 1 ? " part" : " parts");
+  return words + ": ridges and valleys may be swapped there";
 }
 
 } // namespace crest

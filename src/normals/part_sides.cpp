@@ -125,7 +125,7 @@ sumUp (const PlaneFits& fits,
 }
 
 PartSide
-sideOf (const PartSums& part, const Eigen::Vector3d& up)
+sideOf (const PartSums& part, const std::optional<Eigen::Vector3f>& wanted_up)
 {
   // From here on rays decide, which are right about cavities, too.
   constexpr float CLEAR_RAYS = 0.3F;
@@ -150,12 +150,18 @@ sideOf (const PartSums& part, const Eigen::Vector3d& up)
             part.facing < 0.0,
             static_cast<float> (std::abs (part.facing) / part.area)};
   // Surely upward is what faces that way on the whole, and clearly more than down.
+  const Eigen::Vector3d up =
+      wanted_up.value_or (Eigen::Vector3f::UnitZ()).cast<double>().stableNormalized();
   const double rise = part.normal.dot (up);
   const double net = part.normal.norm();
   double trust = net > 0.0 ? std::abs (rise) / net : 0.0;
   trust *= std::min (1.0, net / (MOST_OPEN * part.area));
   if (part.samples < LEAST_PART || mayBeTwoSheets (part))
     trust = 0.0;
+  constexpr double GUESS = 0.4;
+  static_assert (GUESS < SURE_SIGN, "a guess is not sure");
+  if (!wanted_up)
+    trust = std::min (trust, GUESS);
   return {NormalSide::UP, rise < 0.0, static_cast<float> (trust)};
 }
 
@@ -171,8 +177,7 @@ decideSides (const PlaneFits& fits, const SignedParts& parts, const NormalHints&
   double area = 0.0;
   const PartSums* largest = nullptr;
   for (const PartSums& part : sums) {
-    sides.of_parts.push_back (
-        sideOf (part, hints.up.cast<double>().stableNormalized()));
+    sides.of_parts.push_back (sideOf (part, hints.up));
     area += part.area;
     if (largest == nullptr || part.area > largest->area)
       largest = &part;

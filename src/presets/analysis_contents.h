@@ -16,6 +16,8 @@ struct AnalysisContents {
   std::uint64_t cloud = 0;
   /** of the cloud where it has none itself */
   std::shared_ptr<const NormalEstimate> normals;
+  /** of the normals that it has */
+  std::shared_ptr<const NormalCheck> normal_check;
   NormalHints hints;
   std::shared_ptr<const OrientedPoints> points;
   std::shared_ptr<const SurfaceShape> shape;

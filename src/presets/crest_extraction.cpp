@@ -2,6 +2,7 @@
 #include <pcl_crest/crest_extraction.h>
 
 #include "base/stopwatch.h"
+#include "normals/given_normals.h"
 #include "normals/normal_estimation.h"
 #include "presets/analysis_contents.h"
 #include "presets/line_selection.h"
@@ -70,7 +71,8 @@ haveSameHints (const AnalysisContents& known, const ExtractionRequest& request)
 {
   const NormalHints& a = known.hints;
   const NormalHints& b = request.hints;
-  return a.viewpoint == b.viewpoint && a.organized == b.organized && a.up == b.up;
+  return a.viewpoint == b.viewpoint && a.viewpoint_assumed == b.viewpoint_assumed &&
+         a.organized == b.organized && a.up == b.up;
 }
 
 void
@@ -90,7 +92,9 @@ checkRequest (const ExtractionRequest& request)
   if (!other.empty())
     refuse ("The analysis that is set was made with " + other +
             ": set none, or what it was made with");
-  if (known.normals && !haveSameHints (known, request))
+  const bool used_hints =
+      known.normals || (known.normal_check && !known.normal_check->normals.empty());
+  if (used_hints && !haveSameHints (known, request))
     refuse ("The analysis that is set has normals that were estimated for another "
             "viewpoint or direction up: set none when these change");
   if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
@@ -101,9 +105,9 @@ checkRequest (const ExtractionRequest& request)
 
 /** \brief The normals of a cloud that has none. */
 std::shared_ptr<const NormalEstimate>
-normalsFor (const ExtractionRequest& request,
-            Progress& progress,
-            std::vector<StageTime>& times)
+estimateMissing (const ExtractionRequest& request,
+                 Progress& progress,
+                 std::vector<StageTime>& times)
 {
   // Of all work, as near as anything tells beforehand.
   constexpr double ESTIMATED = 0.1;
@@ -117,6 +121,50 @@ normalsFor (const ExtractionRequest& request,
   watch.stageDone ("normals");
   progress.beginRest();
   return found;
+}
+
+/** \brief How the normals of the cloud are used: those that it has as far as they are
+ * right, or estimated ones where it has none.
+ * \param[in,out] cloud gets the normals to use
+ * \param[out] result gets what they were found to be
+ */
+void
+provideNormals (const ExtractionRequest& request,
+                Progress& progress,
+                PointView& cloud,
+                Extraction& result)
+{
+  if (cloud.size == 0)
+    return;
+  const auto use = [&cloud] (const std::vector<Eigen::Vector3f>& normals) {
+    cloud.normal = normals.front().data();
+    cloud.normal_stride = 3;
+  };
+  if (cloud.normal != nullptr && hasNormals (cloud)) {
+    if (request.sign_trust != nullptr)
+      return;
+    Stopwatch watch (result.statistics.times);
+    auto check = std::make_shared<const NormalCheck> (
+        checkNormals (cloud, request.hints, request.parameters.threads));
+    watch.stageDone ("normals");
+    if (!check->normals.empty())
+      use (check->normals);
+    result.normal_check = std::move (check);
+    return;
+  }
+  result.normals = estimateMissing (request, progress, result.statistics.times);
+  use (result.normals->normals);
+}
+
+/** \brief Of each point how sure the sign of its normal is; null where all are. */
+const float*
+signTrust (const ExtractionRequest& request, const Extraction& result)
+{
+  if (result.normals)
+    return result.normals->trust.data();
+  if (result.normal_check && !result.normal_check->trust.empty())
+    return result.normal_check->trust.data();
+  return request.sign_trust;
 }
 
 /** \brief Lines with indices into the cloud.
@@ -177,6 +225,7 @@ extractCrests (const ExtractionRequest& request)
   if (request.analysis) {
     const AnalysisContents& known = contentsOf (*request.analysis);
     result.normals = known.normals;
+    result.normal_check = known.normal_check;
     points = known.points;
     shape = known.shape;
     if (haveSameTrace (known.parameters, parameters))
@@ -184,11 +233,7 @@ extractCrests (const ExtractionRequest& request)
   }
   else {
     PointView cloud = request.cloud;
-    if (cloud.size > 0 && cloud.normal == nullptr) {
-      result.normals = normalsFor (request, progress, times);
-      cloud.normal = result.normals->normals.front().data();
-      cloud.normal_stride = 3;
-    }
+    provideNormals (request, progress, cloud, result);
     Stopwatch watch (times);
     points = own_points = std::make_shared<OrientedPoints> (
         packOrientedPoints (cloud, parameters.threads));
@@ -222,6 +267,8 @@ extractCrests (const ExtractionRequest& request)
   result.labels = labelPoints (*shape, traced->points, selected.lines, parameters);
   result.statistics.mean_spacing = shape->graph.mean_spacing;
   result.statistics.extent = points->extent;
+  if (result.normal_check)
+    result.statistics.normals = result.normal_check->findings;
   for (const CrestType type : CREST_TYPES)
     if (parameters.wanted[type])
       result.statistics.line_sizes[type] = traced->sizes[type];
@@ -230,6 +277,7 @@ extractCrests (const ExtractionRequest& request)
         {request.analysis ? contentsOf (*request.analysis).cloud
                           : fingerprint (request.cloud, parameters.threads),
          result.normals,
+         result.normal_check,
          request.hints,
          points,
          shape,
@@ -246,9 +294,7 @@ extractCrests (const ExtractionRequest& request)
     result.curvatures = {shape, &shape->curvature};
   result.places = placesOfLines (*points, selected);
   result.lines =
-      linesOfCloud (*points,
-                    result.normals ? result.normals->trust.data() : request.sign_trust,
-                    std::move (selected.lines));
+      linesOfCloud (*points, signTrust (request, result), std::move (selected.lines));
   if (own_points)
     result.sample_of = std::make_shared<const std::vector<index_t>> (
         std::move (own_points->packed_index));

@@ -123,11 +123,12 @@ TEST_F (OrientedNormals, LookToTheViewpointThatIsAskedFor)
       up += normal.normal_z > 0.0F ? 1 : 0;
     return static_cast<double> (up) > 0.5 * static_cast<double> (normals_.size());
   };
-  EXPECT_TRUE (isUp());
-  estimation_.useSensorOriginAsViewPoint();
   EXPECT_FALSE (isUp());
   estimation_.setViewPoint (0.0F, 0.0F, 100.0F);
   EXPECT_TRUE (isUp());
+  estimation_.useSensorOriginAsViewPoint();
+  EXPECT_FALSE (isUp());
+  terrain->sensor_origin_.setZero();
   pcl::OrientedNormalEstimation<pcl::PointXYZ, pcl::Normal> down;
   down.setInputCloud (terrain);
   down.setUpDirection (0.0F, 0.0F, -1.0F);

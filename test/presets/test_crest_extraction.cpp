@@ -222,13 +222,49 @@ TEST (CrestExtraction, InvalidPointsAreNoSamples)
   ridge.floats[0] = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 3; ++i)
     ridge.floats[6 + 3 + i] = 0.0F;
-  const Extraction found = extractCrests (requestFor (ridge.view()));
+  ExtractionRequest request = requestFor (ridge.view());
+  const std::vector<float> sure (ridge.view().size, 1.0F);
+  request.sign_trust = sure.data();
+  const Extraction found = extractCrests (request);
+  EXPECT_EQ (found.normal_check, nullptr);
   EXPECT_EQ (found.labels.size(), ridge.view().size - 2);
   for (const index_t point : {0, 1, -1}) {
     EXPECT_EQ (found.labelOf (point), LABEL_INVALID);
     EXPECT_EQ (found.curvatureOf (point), nullptr);
   }
   EXPECT_NE (found.curvatureOf (2), nullptr);
+
+  // Unless normals are trusted the one that is missing is estimated.
+  request.sign_trust = nullptr;
+  const Extraction repaired = extractCrests (request);
+  ASSERT_TRUE (repaired.statistics.normals);
+  EXPECT_EQ (repaired.statistics.normals->filled, 1U);
+  EXPECT_EQ (repaired.labelOf (0), LABEL_INVALID);
+  EXPECT_NE (repaired.curvatureOf (1), nullptr);
+}
+
+TEST (CrestExtraction, FlippedNormalsAreTurnedBack)
+{
+  const Ridge right;
+  const Extraction expected = extractCrests (requestFor (right.view()));
+  EXPECT_FALSE (expected.lines.empty());
+  Ridge ridge;
+  for (std::size_t i = 0; i < ridge.view().size; i += 7)
+    for (int j = 3; j < 6; ++j)
+      ridge.floats[6 * i + j] *= -1.0F;
+  ExtractionRequest request = requestFor (ridge.view());
+  request.keep_analysis = true;
+  const Extraction found = extractCrests (request);
+  EXPECT_EQ (found.statistics.normals->turned, (ridge.view().size + 6) / 7);
+  EXPECT_EQ (found.labels, expected.labels);
+  for (const CrestLine& line : found.lines)
+    EXPECT_GE (line.sign_trust, SURE_SIGN);
+  // An analysis knows what was found; only its normals depend on hints.
+  request.analysis = found.analysis;
+  EXPECT_EQ (extractCrests (request).normal_check, found.normal_check);
+  request.hints.up = Eigen::Vector3f::UnitX();
+  EXPECT_NE (refusal<std::invalid_argument> (request).find ("direction up"),
+             std::string::npos);
 }
 
 TEST (CrestExtraction, StopsWhereTheCallbackSaysSo)

@@ -259,8 +259,12 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
                                    " points: set one for each, or none");
     request.sign_trust = sign_trust_->data();
   }
-  request.hints = hints_;
-  request.hints.organized = surface_->isOrganized();
+  request.hints = crest::hintsOf (*surface_);
+  if (viewpoint_) {
+    request.hints.viewpoint = viewpoint_;
+    request.hints.viewpoint_assumed = false;
+  }
+  request.hints.up = up_;
   request.parameters = getParameters();
   request.search = givenSearch();
   request.make_search = crest::kdTreeSearch;
@@ -270,9 +274,11 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   crest::Extraction found = crest::extractCrests (request);
   if (found.labels.empty())
     PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal, so "
-              "that there are no crests. pcl::OrientedNormalEstimation estimates "
-              "normals.\n",
+              "that there are no crests.\n",
               getClassName().c_str());
+  // With an analysis all was said when it was made.
+  if (!analysis_)
+    warnOfNormals (found);
 
   for (std::size_t i = 0; i < output.size(); ++i) {
     const auto place = static_cast<crest::index_t> (i);
@@ -284,6 +290,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   result_.statistics = std::move (found.statistics);
   result_.analysis = std::move (found.analysis);
   result_.normals = std::move (found.normals);
+  result_.normal_check = std::move (found.normal_check);
   result_.line_cloud = surface_;
   if (!found.places.empty()) {
     auto moved = pcl::make_shared<PointCloudIn> (*surface_);
@@ -293,6 +300,20 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
     result_.line_cloud = moved;
   }
   return true;
+}
+
+template <typename PointInT, typename PointOutT>
+void
+CrestLineEstimation<PointInT, PointOutT>::warnOfNormals (
+    const crest::Extraction& found) const
+{
+  if (found.normals)
+    crest::warnOfDoubt (getClassName(), *found.normals);
+  if (!found.normal_check)
+    return;
+  const std::string findings = crest::explainFindings (found.normal_check->findings);
+  if (!findings.empty())
+    PCL_WARN ("[pcl::%s::compute] %s.\n", getClassName().c_str(), findings.c_str());
 }
 
 template <typename PointInT, typename PointOutT>

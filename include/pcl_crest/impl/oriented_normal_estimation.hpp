@@ -43,6 +43,29 @@ tooManyPoints (std::size_t points)
          " points apart: compute it in parts that overlap";
 }
 
+/** \brief What a cloud says of where it was seen from. */
+template <typename PointT>
+NormalHints
+hintsOf (const pcl::PointCloud<PointT>& cloud)
+{
+  NormalHints hints;
+  hints.viewpoint = cloud.sensor_origin_.template head<3>();
+  hints.viewpoint_assumed = hints.viewpoint->isZero (0.0F);
+  hints.organized = cloud.isOrganized();
+  return hints;
+}
+
+/** \brief Says what of the signs of a class's normals is not to be trusted. */
+inline void
+warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
+{
+  const std::string doubt = explainDoubt (estimate);
+  if (!doubt.empty())
+    PCL_WARN ("[pcl::%s::compute] %s. setViewPoint tells it, or setUpDirection.\n",
+              class_name.c_str(),
+              doubt.c_str());
+}
+
 } // namespace crest
 
 template <typename PointInT, typename PointOutT>
@@ -92,10 +115,11 @@ OrientedNormalEstimation<PointInT, PointOutT>::estimate (PointCloudOut& output)
   request.cloud = crest::viewOf (*surface_);
   if (k_ != 0)
     request.k = k_;
-  request.hints.viewpoint = viewpoint_;
-  if (use_sensor_origin_)
-    request.hints.viewpoint = input_->sensor_origin_.template head<3>();
-  request.hints.organized = surface_->isOrganized();
+  request.hints = crest::hintsOf (*surface_);
+  if (!use_sensor_origin_) {
+    request.hints.viewpoint = viewpoint_;
+    request.hints.viewpoint_assumed = false;
+  }
   request.hints.up = up_;
   request.threads = threads_;
   pcl::Indices located = *indices_;
@@ -107,6 +131,7 @@ OrientedNormalEstimation<PointInT, PointOutT>::estimate (PointCloudOut& output)
                                    " is not a point of the search surface");
   }
   crest::NormalEstimate found = crest::estimateNormals (request);
+  crest::warnOfDoubt (getClassName(), found);
   constexpr float NAN_VALUE = std::numeric_limits<float>::quiet_NaN();
   output.is_dense = true;
   for (std::size_t i = 0; i < output.size(); ++i) {

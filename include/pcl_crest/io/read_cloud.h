@@ -31,7 +31,7 @@ struct NormalOptions {
    * viewpoint of a PCD file */
   std::optional<Eigen::Vector3f> viewpoint;
   /** for those that are estimated (see NormalHints) */
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  std::optional<Eigen::Vector3f> up;
 };
 
 /** \brief A cloud as read from a file, ready for the crest line estimation. */
