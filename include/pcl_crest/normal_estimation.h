@@ -28,7 +28,7 @@ struct NormalHints {
   std::optional<Eigen::Vector3f> viewpoint;
   /** whether that is only the origin of a cloud which may say nothing of a sensor: then
    * what is closed around it is a model, while from a viewpoint that somebody set it is
-   * a room */
+   * a room; and it tells nothing of samples that are spaced as on a map */
   bool viewpoint_assumed = false;
   /** whether the cloud is an image that a sensor took there: then all was seen from
    * there, and nothing from behind */
@@ -139,6 +139,9 @@ explainFindings (const NormalFindings& findings);
  * noise asks for it. Which of two neighbours' normals has to be turned over is decided
  * by votes (Xie et al. 2003) of whole borders between patches, not of single edges, and
  * of closed surfaces by rays that count sheets (Mullen et al. 2010).
+ *
+ * Where there is no viewpoint, but samples are spaced as the pixels of a sensor at the
+ * origin are, and all seen from there, it is taken for one.
  *
  * Where all was seen from the viewpoint alone, because the cloud is an image or because
  * no points hide others, all normals face it, unless it is assumed and the cloud one

@@ -110,14 +110,18 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
 }
 
 std::string
-describe (const NormalEstimate& estimate, std::size_t k)
+describe (const NormalEstimate& estimate, std::size_t k, bool has_viewpoint)
 {
   if (estimate.parts.empty())
     return "Normals could not be estimated: no three points span a plane.";
   std::string note =
       "Normals were estimated from " + std::to_string (k) + " neighbours";
   if (estimate.single_view)
-    return note + " and turned toward the viewpoint, which all points are seen from.";
+    return note + (has_viewpoint
+                       ? " and turned toward the viewpoint, which all points are seen "
+                         "from."
+                       : " and turned toward the origin, which all points are seen "
+                         "from, spaced as those of a sensor there.");
   note += " and made consistent over each connected part.";
   const auto add = [&] (NormalSide side, const char* where) {
     const auto parts = std::count_if (
@@ -213,7 +217,8 @@ provideNormals (FileContent& content,
   request.threads = threads;
   estimate = std::make_shared<const NormalEstimate> (estimateNormals (request));
   setNormals (estimate->normals, *content.points);
-  content.notes.push_back (describe (*estimate, std::min<std::size_t> (k, size)));
+  content.notes.push_back (describe (
+      *estimate, std::min<std::size_t> (k, size), request.hints.viewpoint.has_value()));
   const auto is_seen = [] (const NormalPart& part) {
     return part.side == NormalSide::VIEWPOINT;
   };
@@ -224,7 +229,9 @@ provideNormals (FileContent& content,
   const std::string doubt = explainDoubt (*estimate);
   if (!doubt.empty())
     content.notes.push_back (
-        doubt + ". A viewpoint tells it (-viewpoint), or a direction up (-up).");
+        doubt + (estimate->single_view ? "."
+                                       : ". A viewpoint tells it (-viewpoint), or a "
+                                         "direction up (-up)."));
   return NormalSource::ESTIMATED;
 }
 

@@ -6,6 +6,7 @@
 #include "normals/consistent_signs.h"
 #include "normals/distinct_points.h"
 #include "normals/part_sides.h"
+#include "normals/sample_spacing.h"
 #include "normals/sharp_normals.h"
 #include "normals/single_view.h"
 #include "search/position_tree.h"
@@ -73,13 +74,36 @@ lookToViewpoint (const PointTree& tree,
   return result;
 }
 
+/** \brief The hints with what the spacing of the samples tells of a viewpoint that
+ * nobody set.
+ * \param[in] origin of the cloud, in the unit of the fits
+ */
+NormalHints
+weighViewpoint (const PlaneFits& fits,
+                const NormalHints& hints,
+                const Eigen::Vector3f& origin,
+                const Workers& workers)
+{
+  NormalHints weighed = hints;
+  if (hints.viewpoint && (!hints.viewpoint_assumed || hints.organized))
+    return weighed;
+  if (areSpacedAsSeenFrom (fits, origin, workers) &&
+      isSeenFrom (fits, origin, workers)) {
+    weighed.viewpoint = origin;
+    weighed.organized = true;
+  }
+  else if (hints.viewpoint && areSpacedAsOnMap (fits, workers))
+    weighed.viewpoint.reset();
+  return weighed;
+}
+
 SampleNormals
 orientSamples (const PointTree& tree,
                PlaneFits& fits,
                const NormalHints& hints,
                const Workers& workers)
 {
-  // An organized cloud is one image of a sensor, which sees no surface from behind.
+  // An image of a sensor, which sees no surface from behind.
   if (hints.viewpoint && hints.organized)
     if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
       return std::move (*seen);
@@ -219,8 +243,11 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
   PlaneFits fits = fitPlanes (*tree, request.k, workers);
   sharpenNormals (*tree, fits, workers);
   beginPart (1);
+  const NormalHints hints = hintsFor (request.hints, distinct, tree->unit);
+  const Eigen::Vector3f origin = distinct.fromViewpoint (Eigen::Vector3f::Zero()) /
+                                 static_cast<float> (tree->unit);
   const SampleNormals samples = orientSamples (
-      *tree, fits, hintsFor (request.hints, distinct, tree->unit), workers);
+      *tree, fits, weighViewpoint (fits, hints, origin, workers), workers);
   return estimateOf (cloud, distinct, *tree, fits, samples);
 }
 

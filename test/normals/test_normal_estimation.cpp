@@ -339,6 +339,38 @@ TEST (NormalEstimation, WhoSetsAViewpointInsideIsInARoom)
   EXPECT_LE (score (*ball, estimateNormals (request)).wrong, 0.001);
 }
 
+TEST (NormalEstimation, ADepthImageTellsWhereItWasTaken)
+{
+  // Two walls that meet at a right angle, by a camera that looks along +z.
+  Cloud cloud;
+  for (int column = -80; column <= 80; ++column)
+    for (int row = -60; row <= 60; ++row) {
+      const Eigen::Vector3f ray (0.01F * column, 0.01F * row, 1.0F);
+      const Eigen::Vector3f toward =
+          Eigen::Vector3f (column < 0 ? 1.0F : -1.0F, 0.0F, -1.0F).normalized();
+      const Eigen::Vector3f position = 3.0F / (1.0F + std::abs (ray.x())) * ray;
+      pcl::PointNormal point (position.x(), position.y(), position.z());
+      point.getNormalVector3fMap() = toward;
+      cloud.push_back (point);
+    }
+  NormalRequest request = requestFor (cloud);
+  const NormalEstimate seen = estimateNormals (request);
+  EXPECT_TRUE (seen.single_view);
+  EXPECT_EQ (score (cloud, seen).wrong, 0.0);
+
+  // Terrain above the origin of its map is no image.
+  Cloud terrain = *solid ("terrain").cloud;
+  for (pcl::PointNormal& point : terrain)
+    point.z += 3.0F;
+  request = requestFor (terrain);
+  EXPECT_EQ (score (terrain, estimateNormals (request)).wrong, 0.0);
+  request.hints.viewpoint = Eigen::Vector3f::Zero();
+  request.hints.viewpoint_assumed = true;
+  EXPECT_EQ (score (terrain, estimateNormals (request)).wrong, 0.0);
+  request.hints.viewpoint_assumed = false;
+  EXPECT_EQ (score (terrain, estimateNormals (request)).wrong, 1.0);
+}
+
 TEST (NormalEstimation, ASensorInTheSurfaceTellsNothing)
 {
   Cloud plane;

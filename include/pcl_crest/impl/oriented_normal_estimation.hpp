@@ -61,9 +61,11 @@ warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
 {
   const std::string doubt = explainDoubt (estimate);
   if (!doubt.empty())
-    PCL_WARN ("[pcl::%s::compute] %s. setViewPoint tells it, or setUpDirection.\n",
+    PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               class_name.c_str(),
-              doubt.c_str());
+              doubt.c_str(),
+              estimate.single_view ? ""
+                                   : " setViewPoint tells it, or setUpDirection.");
 }
 
 } // namespace crest
