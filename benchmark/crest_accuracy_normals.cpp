@@ -125,7 +125,9 @@ main (int argc, char** argv)
       const auto cloud =
           oracle::addNoise (*exact.cloud, noise * exact.spacing, settings.seed);
       NormalScore score = accuracy::scoreNormals (
-          accuracy::runNormals (*cloud, settings.threads), exact, edge_distances);
+          accuracy::runNormals (*cloud, solid.closed, settings.threads),
+          exact,
+          edge_distances);
       score.solid = solid.name;
       score.noise = noise;
       printRow (score);

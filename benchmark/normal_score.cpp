@@ -84,7 +84,7 @@ distance (const Eigen::Vector3d& p, const oracle::SharpEdge& edge)
 } // namespace
 
 NormalRun
-runNormals (const Cloud& cloud, unsigned threads)
+runNormals (const Cloud& cloud, bool closed, unsigned threads)
 {
   NormalRun run;
   pcl::crest::NormalRequest request;
@@ -92,6 +92,8 @@ runNormals (const Cloud& cloud, unsigned threads)
       &cloud[0].x, nullptr, sizeof (pcl::PointNormal) / sizeof (float), cloud.size()};
   request.k = NORMAL_NEIGHBORS;
   request.threads = threads;
+  if (!closed)
+    request.hints.up = Eigen::Vector3f::UnitZ();
   run.milliseconds =
       milliseconds ([&] { run.estimate = pcl::crest::estimateNormals (request); });
 

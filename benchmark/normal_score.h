@@ -24,11 +24,13 @@ struct NormalRun {
   double milliseconds_of_pcl;
 };
 
-/** \brief With nothing known but the positions.
+/** \brief With nothing known but the positions, and of open surfaces where up is.
  * \param[in] threads 0 for all processors
  */
 NormalRun
-runNormals (const pcl::PointCloud<pcl::PointNormal>& cloud, unsigned threads);
+runNormals (const pcl::PointCloud<pcl::PointNormal>& cloud,
+            bool closed,
+            unsigned threads);
 
 /** \brief Medians of angles to the exact normals in degrees, signs ignored; NaN where
  * there are no points.

@@ -199,7 +199,13 @@ fitPlane (const std::vector<Eigen::Vector3d>& offsets, double rounding)
   fit.roughness = fit.sigma / axes.radius();
   if (fit.roughness > 0.5 * FLAT) {
     fit.kurtosis = kurtosisOf (offsets, axes.normal, fit.height);
-    if (std::optional<PlaneFit> sheets = fitTwoSheets (offsets, all, axes)) {
+    // Two clumps have less, as seen along a window that is flat enough to be along both.
+    constexpr double LEAST_OF_ONE = 2.2;
+    constexpr double ALONG = 1.5 * FLAT;
+    std::optional<PlaneFit> sheets;
+    if (fit.kurtosis < LEAST_OF_ONE || fit.roughness > ALONG)
+      sheets = fitTwoSheets (offsets, all, axes);
+    if (sheets) {
       sheets->variation = fit.variation;
       sheets->radius = axes.radius();
       sheets->plain = sheets->normal;
