@@ -3,6 +3,7 @@
 
 #include "base/large_arrays.h"
 #include "base/parallel.h"
+#include "creases/crossing_planes.h"
 #include "creases/two_planes.h"
 #include "curvature/cubic_residuals.h"
 #include "curvature/pyramid.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -129,13 +131,10 @@ public:
         of_noise_window_ = smooth[w];
         in_noise_window_ = all_;
       }
-      // In the frame of the edge it will be a little different. No faces leave less
-      // than what is noise for certain.
-      if (smooth[w] - noiseOf (count) > 0.5 * LEAST_OF_CUBIC &&
-          noiseOf (count) < LARGEST_RESIDUAL * LARGEST_RESIDUAL)
+      if (mayHaveFaces (count, smooth[w]))
         fitWindow (count, smooth[w], normals, best);
     }
-    return best;
+    return best.type != CrestType::NONE ? best : fitCrossing (smooth);
   }
 
 private:
@@ -171,6 +170,63 @@ private:
     return std::min ({LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio, by_evidence});
   }
 
+  /** \brief The line where two planes meet. */
+  struct MeetingLine {
+    /** between the normals, in degrees */
+    double angle;
+    Vector3d direction;
+    /** nearest to the sample */
+    Vector3d foot;
+  };
+
+  /** \brief Where two planes meet; none if that is far away, or they hardly meet.
+   * \param[in] least_angle, largest_angle between the normals, in degrees
+   */
+  static std::optional<MeetingLine>
+  meetingLine (const Plane& a, const Plane& b, double least_angle, double largest_angle)
+  {
+    const Vector3d& n = a.normal;
+    const Vector3d& m = b.normal;
+    const double angle =
+        std::acos (std::max (-1.0, std::min (1.0, n.dot (m)))) * DEGREES;
+    if (angle < least_angle || angle > largest_angle)
+      return std::nullopt;
+    // Where both planes' equations hold, nearest to the sample.
+    const Vector3d line = n.cross (m);
+    const Vector3d crossing =
+        (n.dot (a.center) * m.cross (line) + m.dot (b.center) * line.cross (n)) /
+        line.squaredNorm();
+    const Vector3d direction = line.normalized();
+    const Vector3d foot = crossing - crossing.dot (direction) * direction;
+    if (foot.norm() > FARTHEST_FOOT)
+      return std::nullopt;
+    return MeetingLine{angle, direction, foot};
+  }
+
+  /** \brief A crease along a line, of a residual beside that of a cubic. */
+  Crease
+  creaseAlong (const MeetingLine& line,
+               const Vector3d& normal,
+               bool convex,
+               std::size_t count,
+               double of_planes,
+               double of_smooth) const
+  {
+    const double noise = noiseOf (count);
+    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
+                         (std::max (0.0, of_smooth - noise) + ZERO);
+    Crease crease;
+    crease.type = convex ? CrestType::RIDGE : CrestType::VALLEY;
+    crease.foot = (points_.positions[sample_].cast<double>() +
+                   graph_.spacing[sample_] * line.foot)
+                      .cast<float>();
+    crease.direction = line.direction.cast<float>();
+    crease.normal = normal.cast<float>();
+    crease.angle = static_cast<float> (line.angle);
+    crease.ratio = static_cast<float> (ratio);
+    return crease;
+  }
+
   /** \param[in] of_cubic about the mean squared distance from a cubic
    * \param[in] normals those of the neighbours in the window
    */
@@ -184,48 +240,74 @@ private:
     if (!planes_.split (normals_, count, normals) ||
         !planes_.fit (positions_, count, all_, largest))
       return;
-    const Vector3d& n = planes_[0].normal;
-    const Vector3d& m = planes_[1].normal;
-    const double angle =
-        std::acos (std::max (-1.0, std::min (1.0, n.dot (m)))) * DEGREES;
-    if (angle < LEAST_ANGLE || angle > LARGEST_ANGLE)
-      return;
-    // Where both planes' equations hold, nearest to the sample.
-    const Vector3d line = n.cross (m);
-    const Vector3d crossing = (n.dot (planes_[0].center) * m.cross (line) +
-                               m.dot (planes_[1].center) * line.cross (n)) /
-                              line.squaredNorm();
-    const Vector3d direction = line.normalized();
-    const Vector3d foot = crossing - crossing.dot (direction) * direction;
-    if (foot.norm() > FARTHEST_FOOT)
+    const auto line = meetingLine (planes_[0], planes_[1], LEAST_ANGLE, LARGEST_ANGLE);
+    if (!line)
       return;
     const double of_planes = planes_.squaredDistances (positions_, count) /
                              static_cast<double> (count - PLANE_PARAMETERS);
     if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
       return;
-    const Vector3d normal = (n + m).normalized();
+    const Vector3d normal = (planes_[0].normal + planes_[1].normal).normalized();
     if (seesThirdFace (count, normal))
       return;
     const double of_smooth = smoothResidual (count, normal);
     const double noisy_ratio = (of_planes + ZERO) / (of_smooth + ZERO);
     if (of_planes > largestResidual (count, of_smooth) || noisy_ratio > smallest_ratio_)
       return;
-    const double noise = noiseOf (count);
-    const double ratio = (std::max (0.0, of_planes - noise) + ZERO) /
-                         (std::max (0.0, of_smooth - noise) + ZERO);
     smallest_ratio_ = noisy_ratio;
-    best.type = planes_.convex() ? CrestType::RIDGE : CrestType::VALLEY;
-    best.foot =
-        (points_.positions[sample_].cast<double>() + graph_.spacing[sample_] * foot)
-            .cast<float>();
-    best.direction = direction.cast<float>();
-    best.normal = normal.cast<float>();
-    best.angle = static_cast<float> (angle);
-    best.ratio = static_cast<float> (ratio);
-    best.roundness =
-        count > NOISE_WINDOW && isSpread (in_noise_window_)
-            ? static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE))
-            : 0.0F;
+    best = creaseAlong (*line, normal, planes_.convex(), count, of_planes, of_smooth);
+    if (count > NOISE_WINDOW && isSpread (in_noise_window_))
+      best.roundness =
+          static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE));
+  }
+
+  /** \brief The crease where two planes meet whatever the signs of normals, in the
+   * smallest window that shows one.
+   */
+  Crease
+  fitCrossing (const SmoothResiduals& smooth)
+  {
+    // Where these cross at less, the points near both tell nothing.
+    constexpr double LEAST_CROSSING = 30.0;
+    // In spacings.
+    constexpr double TOLERANCE = 0.3;
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    std::size_t added = 0;
+    for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
+      const auto count = static_cast<std::size_t> (WINDOWS[w]);
+      if (count > neighbors_.size())
+        break;
+      for (; added < count; ++added)
+        products += normals_[added] * normals_[added].transpose();
+      if (!mayHaveFaces (count, smooth[w]) ||
+          !crossing_.fit (positions_, normals_, count, products, TOLERANCE))
+        continue;
+      const Plane& through = crossing_[0];
+      const Plane& ending = crossing_[1];
+      const auto line =
+          meetingLine (through, ending, LEAST_CROSSING, 180.0 - LEAST_CROSSING);
+      const double of_planes =
+          crossing_.squaredDistances() / static_cast<double> (count - PLANE_PARAMETERS);
+      if (line && of_planes <= largestResidual (count, smooth[w]))
+        return creaseAlong (*line,
+                            (through.normal + ending.normal).normalized(),
+                            crossing_.convex(),
+                            count,
+                            of_planes,
+                            smooth[w]);
+    }
+    return {};
+  }
+
+  /** \brief Whether a cubic leaves enough of a window to look for faces. In the frame
+   * of the edge it will be a little different. No faces leave less than what is noise
+   * for certain.
+   */
+  bool
+  mayHaveFaces (std::size_t count, double of_cubic) const
+  {
+    return of_cubic - noiseOf (count) > 0.5 * LEAST_OF_CUBIC &&
+           noiseOf (count) < LARGEST_RESIDUAL * LARGEST_RESIDUAL;
   }
 
   /** \brief Whether neighbours lie around the sample rather than on a line or two of a
@@ -280,6 +362,7 @@ private:
   /** of those in the window */
   Scatter all_;
   TwoPlanes planes_;
+  CrossingPlanes crossing_;
   /** of the sample: mean squared distance of its noise window from a cubic, and the
    * smallest ratio so far */
   double of_noise_window_ = 0.0;

@@ -114,6 +114,22 @@ struct PlaneFit {
   double kurtosis = 3.0;
 };
 
+/** Of the points of a window, how many make a sheet. */
+constexpr double LEAST_OF_SHEET = 6.0;
+
+/** \brief The most kurtosis that heights in two clumps have, seen along a window that
+ * is flat enough to be along both: where one has the least of points.
+ */
+double
+mostOfTwoSheets (double count)
+{
+  // The clumps have some width.
+  constexpr double WIDTH = 1.4;
+  const double part = std::min (0.5, LEAST_OF_SHEET / count);
+  const double variance = part * (1.0 - part);
+  return WIDTH * (1.0 / variance - 3.0);
+}
+
 /** \brief Two parallel planes through offsets whose heights fall into two clumps, if
  * they do: found by turns of splitting the heights and fitting one normal to both.
  */
@@ -123,7 +139,6 @@ fitTwoSheets (const std::vector<Eigen::Vector3d>& offsets,
               const Axes& axes)
 {
   constexpr int ROUNDS = 4;
-  constexpr double LEAST = 6.0;
   constexpr double TURNED = 0.5;
   // Heights that are spread evenly keep a quarter of their variance when split.
   constexpr double CLUMPS = 0.08;
@@ -136,7 +151,7 @@ fitTwoSheets (const std::vector<Eigen::Vector3d>& offsets,
     sheets = {};
     for (const Eigen::Vector3d& offset : offsets)
       sheets[normal.dot (offset) < split ? 0 : 1].add (offset);
-    if (std::min (sheets[0].count(), sheets[1].count()) < LEAST)
+    if (std::min (sheets[0].count(), sheets[1].count()) < LEAST_OF_SHEET)
       return std::nullopt;
     const Axes pooled ((sheets[0].scatter() + sheets[1].scatter()) / all.count());
     const double cosine = pooled.normal.dot (normal);
@@ -199,11 +214,9 @@ fitPlane (const std::vector<Eigen::Vector3d>& offsets, double rounding)
   fit.roughness = fit.sigma / axes.radius();
   if (fit.roughness > 0.5 * FLAT) {
     fit.kurtosis = kurtosisOf (offsets, axes.normal, fit.height);
-    // Two clumps have less, as seen along a window that is flat enough to be along both.
-    constexpr double LEAST_OF_ONE = 2.2;
     constexpr double ALONG = 1.5 * FLAT;
     std::optional<PlaneFit> sheets;
-    if (fit.kurtosis < LEAST_OF_ONE || fit.roughness > ALONG)
+    if (fit.roughness > ALONG || fit.kurtosis < mostOfTwoSheets (all.count()))
       sheets = fitTwoSheets (offsets, all, axes);
     if (sheets) {
       sheets->variation = fit.variation;

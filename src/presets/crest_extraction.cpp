@@ -146,7 +146,7 @@ provideNormals (const ExtractionRequest& request,
     Stopwatch watch (result.statistics.times);
     auto check = std::make_shared<const NormalCheck> (
         checkNormals (cloud, request.hints, request.parameters.threads));
-    watch.stageDone ("normals");
+    watch.stageDone ("normal check");
     if (!check->normals.empty())
       use (check->normals);
     result.normal_check = std::move (check);

@@ -158,3 +158,55 @@ TEST (Creases, DependNeitherOnOrderNorThreads)
     EXPECT_EQ (found.creases[i].foot, other.creases[i].foot);
   }
 }
+
+/** \brief Where solids touch: a plane, and another one that ends at it along the y
+ * axis, below or above. The signs of its normals are a matter of taste, or of chance.
+ */
+class TouchingSheets : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P (TouchingSheets, MeetInAnEdge)
+{
+  constexpr double SPACING = 0.02;
+  const auto [side, flipped] = GetParam();
+  std::mt19937 random (4);
+  std::uniform_real_distribution<double> jitter (-0.4, 0.4);
+  std::bernoulli_distribution coin (flipped);
+  Cloud cloud;
+  const auto add = [&] (double x, double z, int row, float nx, float nz) {
+    pcl::PointNormal point (x, (row + jitter (random)) * SPACING, z);
+    point.getNormalVector3fMap() = Eigen::Vector3f (nx, 0.0F, nz);
+    cloud.push_back (point);
+  };
+  for (int row = -25; row <= 25; ++row) {
+    for (int i = -15; i <= 15; ++i)
+      add ((i + jitter (random)) * SPACING, 0.0, row, 0.0F, 1.0F);
+    for (int i = 1; i <= 15; ++i)
+      add (0.0,
+           side * (i + jitter (random)) * SPACING,
+           row,
+           coin (random) ? 1.0F : -1.0F,
+           0.0F);
+  }
+  const Found found = find (cloud);
+  std::size_t near_edge = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < found.creases.size(); ++i) {
+    const Eigen::Vector3f& p = found.stages.points.positions[i];
+    if (std::abs (p.y()) > 19.0 * SPACING || std::hypot (p.x(), p.z()) > 0.5 * SPACING)
+      continue;
+    ++near_edge;
+    const Crease& crease = found.creases[i];
+    const bool is_there =
+        std::hypot (crease.foot.x(), crease.foot.z()) < 0.1 * SPACING &&
+        std::abs (crease.direction.y()) > 0.99F && std::abs (crease.angle - 90.0) < 2.0;
+    if (is_there && crease.type == (side < 0.0 ? CrestType::RIDGE : CrestType::VALLEY))
+      ++right;
+  }
+  ASSERT_GT (near_edge, 20U);
+  EXPECT_GT (static_cast<double> (right), 0.85 * static_cast<double> (near_edge));
+}
+
+INSTANTIATE_TEST_SUITE_P (Exact,
+                          TouchingSheets,
+                          testing::Combine (testing::Values (-1.0, 1.0),
+                                            testing::Values (0.0, 0.5, 1.0)));
