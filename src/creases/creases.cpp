@@ -269,8 +269,10 @@ private:
   {
     // Where these cross at less, the points near both tell nothing.
     constexpr double LEAST_CROSSING = 30.0;
-    // In spacings.
+    // In spacings: what is no side of a plane; and as in LARGEST_RESIDUAL, but that to
+    // be near either of two planes is easier than to be near the right one.
     constexpr double TOLERANCE = 0.3;
+    constexpr double LARGEST_OF_CROSSING = 0.25;
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     std::size_t added = 0;
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
@@ -288,7 +290,8 @@ private:
           meetingLine (through, ending, LEAST_CROSSING, 180.0 - LEAST_CROSSING);
       const double of_planes =
           crossing_.squaredDistances() / static_cast<double> (count - PLANE_PARAMETERS);
-      if (line && of_planes <= largestResidual (count, smooth[w]))
+      if (line && of_planes <= std::min (LARGEST_OF_CROSSING * LARGEST_OF_CROSSING,
+                                         largestResidual (count, smooth[w])))
         return creaseAlong (*line,
                             (through.normal + ending.normal).normalized(),
                             crossing_.convex(),

@@ -14,9 +14,10 @@ CrossingPlanes::fit (const Coordinates& positions,
                      double tolerance)
 {
   constexpr int ROUNDS = 6;
-  constexpr double LEAST_PART = 0.18;
-  constexpr double ALONG = 0.8;
-  constexpr double MOST_ASTRAY = 0.1;
+  constexpr double LEAST_PART = 0.12;
+  // Normals next to the line may look anywhere between those of the two.
+  constexpr double ALONG = 0.6;
+  constexpr double MOST_ASTRAY = 0.2;
   // The axes of the normals, whichever way they look. Of the eigenvalues, which add up
   // to the count, the middle one is no more than all minors over that.
   const auto whole = static_cast<double> (count);
