@@ -139,7 +139,8 @@ findBackToBack (const PointTree& tree,
           for (std::size_t leaf = first; leaf < end; leaf += LEAF_SIZE) {
             const LeafNeighbors& found = search.searchLeaf (leaf / LEAF_SIZE);
             for (int i = 0; i < found.count; ++i) {
-              const auto a = static_cast<std::size_t> (found.first + i);
+              const auto a =
+                  static_cast<std::size_t> (found.first) + static_cast<std::size_t> (i);
               for (std::size_t j = found.offsets[i]; j < found.offsets[i + 1]; ++j) {
                 const auto b = static_cast<std::size_t> (found.places[j]);
                 if (turned[a] == turned[b] ||
