@@ -18,8 +18,8 @@ CrossingPlanes::fit (const Coordinates& positions,
   // Normals next to the line may look anywhere between those of the two.
   constexpr double ALONG = 0.6;
   constexpr double MOST_ASTRAY = 0.2;
-  // The axes of the normals, whichever way they look. Of the eigenvalues, which add up
-  // to the count, the middle one is no more than all minors over that.
+  // The axes of the normals, whichever way they look. The eigenvalues add up to the
+  // count: with least for the middle one the sum of their products is at least this.
   const auto whole = static_cast<double> (count);
   const double least = LEAST_PART * whole;
   if (0.5 * (whole * whole - products.squaredNorm()) < least * (whole - least))

@@ -110,8 +110,10 @@ adopt (const PointTree& tree, const std::vector<Eigen::Vector3f>& axes, PlaneFit
 
 /** \brief Where normals that are opposite as given, but not any more, stood back to
  * back, as on the two sides of a thin part: samples in groups of consecutive ones.
- * There noise hides from votes what the given signs know. \param[in] fits with the
- * given normals \param[in] turned of each of these
+ * There noise hides from votes what the given signs know.
+ *
+ * \param[in] fits with the given normals
+ * \param[in] turned of each of these
  */
 std::vector<std::uint8_t>
 findBackToBack (const PointTree& tree,
