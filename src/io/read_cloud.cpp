@@ -228,10 +228,10 @@ provideNormals (FileContent& content,
                                 "surface faces it as looks away.");
   const std::string doubt = explainDoubt (*estimate);
   if (!doubt.empty())
-    content.notes.push_back (
-        doubt + (estimate->single_view ? "."
-                                       : ". A viewpoint tells it (-viewpoint), or a "
-                                         "direction up (-up)."));
+    content.notes.push_back (doubt + (estimate->single_view
+                                          ? "."
+                                          : ". A viewpoint tells it (-viewpoint), or a "
+                                            "direction up (-up)."));
   return NormalSource::ESTIMATED;
 }
 

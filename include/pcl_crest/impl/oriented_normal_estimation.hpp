@@ -64,8 +64,7 @@ warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
     PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               class_name.c_str(),
               doubt.c_str(),
-              estimate.single_view ? ""
-                                   : " setViewPoint tells it, or setUpDirection.");
+              estimate.single_view ? "" : " setViewPoint tells it, or setUpDirection.");
 }
 
 } // namespace crest
