@@ -18,21 +18,6 @@ namespace crest {
 
 namespace {
 
-bool
-isUsable (const Eigen::Vector3f& normal)
-{
-  return normal.allFinite() && !normal.isZero (0.0F);
-}
-
-Eigen::Vector3f
-unitNormalOf (const PointView& cloud, index_t point)
-{
-  const Eigen::Vector3f normal = cloud.normalOf (static_cast<std::size_t> (point));
-  return isUsable (normal)
-             ? normal.cast<double>().stableNormalized().cast<float>().eval()
-             : Eigen::Vector3f::Zero();
-}
-
 /** \brief The index of the sample at a place. */
 std::size_t
 indexAt (const PointTree& tree, std::size_t place)
@@ -51,8 +36,10 @@ axesOf (const PointView& cloud, const DistinctPoints& distinct)
   for (std::size_t p = 0; p + 1 < distinct.begins.size(); ++p) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (std::size_t i = distinct.begins[p]; i < distinct.begins[p + 1]; ++i) {
-      const Eigen::Vector3f normal =
-          unitNormalOf (cloud, distinct.points[i].cloud_index);
+      const auto point = static_cast<std::size_t> (distinct.points[i].cloud_index);
+      if (!isUsable (cloud.normalOf (point)))
+        continue;
+      const Eigen::Vector3f normal = unitNormalOf (cloud, point).cast<float>();
       sum += sum.dot (normal) < 0.0F ? (-normal).eval() : normal;
     }
     axes.push_back (sum.stableNormalized());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a cloud can be searched at all.
+// Whether a cloud can be searched at all, and which of its normals can be used.
 #pragma once
 
 #include <pcl_crest/input.h>
@@ -13,6 +13,20 @@ namespace crest {
  */
 void
 checkPoints (const PointView& cloud);
+
+/** \brief Whether a normal is finite and not zero. */
+inline bool
+isUsable (const Eigen::Vector3f& normal)
+{
+  return normal.allFinite() && !normal.isZero (0.0F);
+}
+
+/** \brief Of unit length, whatever the length of a normal that can be used. */
+inline Eigen::Vector3d
+unitNormalOf (const PointView& cloud, std::size_t i)
+{
+  return cloud.normalOf (i).cast<double>().stableNormalized();
+}
 
 } // namespace crest
 } // namespace pcl

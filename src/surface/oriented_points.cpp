@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "search/curve_order.h"
 #include "search/point_tree.h"
+#include "search/point_view.h"
 
 #include <algorithm>
 #include <array>
@@ -17,22 +18,13 @@ namespace crest {
 
 namespace {
 
-Eigen::Vector3d
-unitNormalOf (const PointView& cloud, std::size_t i)
-{
-  return cloud.normalOf (i).cast<double>().stableNormalized();
-}
-
 /** \brief Whether a point is finite and, if the cloud has normals, has one. */
 bool
 isValid (const PointView& cloud, std::size_t i)
 {
   if (!cloud.positionOf (i).allFinite())
     return false;
-  if (cloud.normal == nullptr)
-    return true;
-  const Eigen::Vector3f normal = cloud.normalOf (i);
-  return normal.allFinite() && normal.cwiseAbs().maxCoeff() > 0.0F;
+  return cloud.normal == nullptr || isUsable (cloud.normalOf (i));
 }
 
 /** \brief The valid points along a Morton curve.
