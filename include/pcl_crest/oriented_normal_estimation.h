@@ -69,7 +69,6 @@ public:
   setViewPoint (float x, float y, float z)
   {
     viewpoint_ = Eigen::Vector3f (x, y, z);
-    use_sensor_origin_ = false;
   }
 
   /** \brief Take sensor_origin_ of the surface, the input cloud unless setSearchSurface
@@ -80,7 +79,7 @@ public:
   void
   useSensorOriginAsViewPoint ()
   {
-    use_sensor_origin_ = true;
+    viewpoint_.reset();
   }
 
   /** \brief Set the side of open parts that no viewpoint decides; +z by default,
@@ -156,8 +155,7 @@ private:
     part_of_.clear();
   }
 
-  Eigen::Vector3f viewpoint_ = Eigen::Vector3f::Zero();
-  bool use_sensor_origin_ = true;
+  std::optional<Eigen::Vector3f> viewpoint_;
   std::optional<Eigen::Vector3f> up_;
   unsigned threads_ = 0;
   std::vector<float> trust_;

@@ -259,12 +259,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
                                    " points: set one for each, or none");
     request.sign_trust = sign_trust_->data();
   }
-  request.hints = crest::hintsOf (*surface_);
-  if (viewpoint_) {
-    request.hints.viewpoint = viewpoint_;
-    request.hints.viewpoint_assumed = false;
-  }
-  request.hints.up = up_;
+  request.hints = crest::hintsOf (*surface_, viewpoint_, up_);
   request.parameters = getParameters();
   request.search = givenSearch();
   request.make_search = crest::kdTreeSearch;

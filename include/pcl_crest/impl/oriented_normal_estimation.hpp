@@ -43,15 +43,22 @@ tooManyPoints (std::size_t points)
          " points apart: compute it in parts that overlap";
 }
 
-/** \brief What a cloud says of where it was seen from. */
+/** \brief What is known of the side of a cloud's normals.
+ * \param[in] viewpoint, up that somebody set; without, the viewpoint is what the cloud
+ * says of where it was seen from
+ */
 template <typename PointT>
 NormalHints
-hintsOf (const pcl::PointCloud<PointT>& cloud)
+hintsOf (const pcl::PointCloud<PointT>& cloud,
+         const std::optional<Eigen::Vector3f>& viewpoint,
+         const std::optional<Eigen::Vector3f>& up)
 {
   NormalHints hints;
-  hints.viewpoint = cloud.sensor_origin_.template head<3>();
-  hints.viewpoint_assumed = hints.viewpoint->isZero (0.0F);
+  const Eigen::Vector3f origin = cloud.sensor_origin_.template head<3>();
+  hints.viewpoint = viewpoint.value_or (origin);
+  hints.viewpoint_assumed = !viewpoint && origin.isZero (0.0F);
   hints.organized = cloud.isOrganized();
+  hints.up = up;
   return hints;
 }
 
@@ -116,12 +123,7 @@ OrientedNormalEstimation<PointInT, PointOutT>::estimate (PointCloudOut& output)
   request.cloud = crest::viewOf (*surface_);
   if (k_ != 0)
     request.k = k_;
-  request.hints = crest::hintsOf (*surface_);
-  if (!use_sensor_origin_) {
-    request.hints.viewpoint = viewpoint_;
-    request.hints.viewpoint_assumed = false;
-  }
-  request.hints.up = up_;
+  request.hints = crest::hintsOf (*surface_, viewpoint_, up_);
   request.threads = threads_;
   pcl::Indices located = *indices_;
   if (surface_ != input_) {
