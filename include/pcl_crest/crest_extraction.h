@@ -49,6 +49,8 @@ struct ExtractionStatistics {
   double mean_spacing = 0.0;
   /** largest side of the bounding box of the valid points */
   double extent = 0.0;
+  /** with the preset AUTO how the cloud was sampled */
+  SamplingFindings sampling;
   /** none unless the cloud has normals that were checked */
   std::optional<NormalFindings> normals;
   /** the chart of section 4.7: how many lines of each size before S removed some */

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes in: a cloud as plain arrays, and searches for neighbours in it.
+// What goes in: a cloud as plain arrays, what is found of how it was sampled, and
+// searches for neighbours in it.
 #pragma once
 
 #include <pcl_crest/types.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -35,6 +37,41 @@ struct PointView {
     return Eigen::Map<const Eigen::Vector3f> (
         normal + i * (normal_stride != 0 ? normal_stride : stride));
   }
+};
+
+/** \brief Why single samples do not tell the surface. */
+enum class SamplingFlaw {
+  NONE,
+  /** samples lie in clumps or along lines: their distances are not those of the
+   * surface */
+  CLUMPS,
+  /** depths in steps */
+  DEPTH_STEPS,
+  /** noise that neighbouring samples share */
+  CORRELATED_NOISE,
+  /** two sheets less than a spacing apart, neither of which is complete */
+  TWO_SCANS
+};
+
+/** \brief How a cloud was sampled: medians over windows of neighbours, all lengths in
+ * its unit.
+ */
+struct SamplingFindings {
+  /** between samples as the places between them see it; 0 where too few are there */
+  double spacing = 0.0;
+  /** second moments of the steps to the nearest, the larger over the smaller */
+  double anisotropy = 1.0;
+  /** what a quadric leaves of 24, 96 and 384 neighbours' heights, standard deviations:
+   * the same for white noise, growing for correlated noise and for relief */
+  std::array<double, 3> noise{};
+  /** points that were gathered to nodes, and the nodes that the lines are found on; 0
+   * where samples will do */
+  std::size_t gathered = 0;
+  std::size_t nodes = 0;
+  /** between nodes where points were gathered */
+  double resolving_spacing = 0.0;
+  /** how many windows have each flaw, by SamplingFlaw */
+  std::array<std::size_t, 5> flaws{};
 };
 
 /** \brief Squared distances that differ by less than this part are equal. The equal

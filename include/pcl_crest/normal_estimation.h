@@ -45,6 +45,9 @@ struct NormalRequest {
   /** how many neighbours, with the point itself, a plane is fitted to: 3 to 1000 */
   int k = 24;
   NormalHints hints;
+  /** whether samples that tell nothing by themselves, as of clumps or depth steps (see
+   * SamplingFlaw), are gathered to nodes, and have the normals of these */
+  bool gathers = false;
   /** 0 for all processors */
   unsigned threads = 1;
   ProgressCallback progress;

@@ -65,23 +65,26 @@ private:
 constexpr std::size_t BLOCK_SIZE = 1024;
 
 inline std::size_t
-blockCount (std::size_t size)
+blockCount (std::size_t size, std::size_t block_size = BLOCK_SIZE)
 {
-  return (size + BLOCK_SIZE - 1) / BLOCK_SIZE;
+  return (size + block_size - 1) / block_size;
 }
 
 template <typename Work>
 void
-forEachBlock (std::size_t size, const Workers& workers, const Work& work)
+forEachBlock (std::size_t size,
+              const Workers& workers,
+              const Work& work,
+              std::size_t block_size = BLOCK_SIZE)
 {
-  const auto blocks = static_cast<std::ptrdiff_t> (blockCount (size));
+  const auto blocks = static_cast<std::ptrdiff_t> (blockCount (size, block_size));
   Progress* const progress = workers.progress;
   std::atomic<std::ptrdiff_t> finished{0};
   const auto workOn = [&] (std::ptrdiff_t block, bool tells) {
     if (progress != nullptr && progress->isCancelled())
       return;
-    const std::size_t first = static_cast<std::size_t> (block) * BLOCK_SIZE;
-    work (static_cast<std::size_t> (block), first, std::min (first + BLOCK_SIZE, size));
+    const std::size_t first = static_cast<std::size_t> (block) * block_size;
+    work (static_cast<std::size_t> (block), first, std::min (first + block_size, size));
     ++finished;
     if (progress != nullptr && tells)
       progress->advance (static_cast<double> (finished) / static_cast<double> (blocks));

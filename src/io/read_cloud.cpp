@@ -214,6 +214,7 @@ provideNormals (FileContent& content,
       !options.viewpoint && content.viewpoint && content.viewpoint->isZero (0.0F);
   request.hints.organized = content.points->height > 1;
   request.hints.up = options.up;
+  request.gathers = true;
   request.threads = threads;
   estimate = std::make_shared<const NormalEstimate> (estimateNormals (request));
   setNormals (estimate->normals, *content.points);

@@ -3,8 +3,8 @@
 
 #include "base/parallel.h"
 #include "normals/consistent_signs.h"
-#include "normals/distinct_points.h"
 #include "normals/part_sides.h"
+#include "normals/scaled_hints.h"
 #include "normals/sharp_normals.h"
 #include "normals/sign_votes.h"
 #include "search/leaf_search.h"

@@ -4,9 +4,9 @@
 #include <pcl_crest/parameters.h>
 
 #include "normals/consistent_signs.h"
-#include "normals/distinct_points.h"
 #include "normals/part_sides.h"
 #include "normals/sample_spacing.h"
+#include "normals/scaled_hints.h"
 #include "normals/sharp_normals.h"
 #include "normals/single_view.h"
 #include "search/position_tree.h"
@@ -252,11 +252,44 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
 }
 
 NormalEstimate
+estimateNormals (const NormalRequest& request,
+                 const SampleNodes& nodes,
+                 const Workers& workers)
+{
+  if (nodes.isEmpty())
+    return estimateNormals (request, workers);
+  NormalRequest of_nodes = request;
+  of_nodes.cloud = nodes.view();
+  const NormalEstimate found = estimateNormals (of_nodes, workers);
+  NormalEstimate estimate;
+  estimate.single_view = found.single_view;
+  estimate.parts = found.parts;
+  for (NormalPart& part : estimate.parts)
+    part.points = 0;
+  for (const index_t node : nodes.node_of) {
+    const bool is_known = node >= 0 && found.part[node] >= 0;
+    estimate.normals.push_back (is_known ? found.normals[node]
+                                         : Eigen::Vector3f::Zero().eval());
+    estimate.variation.push_back (is_known ? found.variation[node] : 0.0F);
+    estimate.trust.push_back (is_known ? found.trust[node] : 0.0F);
+    estimate.part.push_back (is_known ? found.part[node] : -1);
+    if (is_known)
+      ++estimate.parts[found.part[node]].points;
+  }
+  return estimate;
+}
+
+NormalEstimate
 estimateNormals (const NormalRequest& request)
 {
+  checkRequest (request);
   Progress progress (request.progress);
   progress.beginStage ("normals", 1.0);
-  NormalEstimate estimate = estimateNormals (request, {request.threads, &progress});
+  const Workers workers (request.threads, &progress);
+  NormalEstimate estimate = estimateNormals (
+      request,
+      request.gathers ? resolveSamples (request.cloud, workers) : SampleNodes(),
+      workers);
   progress.finish();
   return estimate;
 }

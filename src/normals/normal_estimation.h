@@ -10,6 +10,7 @@
 #include <pcl_crest/normal_estimation.h>
 
 #include "base/progress.h"
+#include "sampling/sample_nodes.h"
 
 namespace pcl {
 namespace crest {
@@ -19,6 +20,12 @@ namespace crest {
  */
 NormalEstimate
 estimateNormals (const NormalRequest& request, const Workers& workers);
+
+/** \brief Estimates those of nodes, if there are some: each point has its node's. */
+NormalEstimate
+estimateNormals (const NormalRequest& request,
+                 const SampleNodes& nodes,
+                 const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

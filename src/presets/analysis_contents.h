@@ -19,6 +19,7 @@ struct AnalysisContents {
   /** of the normals that it has */
   std::shared_ptr<const NormalCheck> normal_check;
   NormalHints hints;
+  SamplingFindings sampling;
   std::shared_ptr<const OrientedPoints> points;
   std::shared_ptr<const SurfaceShape> shape;
   /** all lines of both types */

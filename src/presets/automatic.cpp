@@ -180,6 +180,12 @@ public:
     return 0;
   }
 
+  bool
+  gathersSamples () const override
+  {
+    return true;
+  }
+
   std::shared_ptr<SurfaceShape>
   analyzeSurface (const OrientedPoints& points,
                   NeighborSource neighbors,

@@ -103,9 +103,32 @@ checkRequest (const ExtractionRequest& request)
         "has changed");
 }
 
+/** \brief The nodes that the samples are gathered to where the preset does so, and no
+ * search is given, which is over the samples.
+ */
+SampleNodes
+gatherWhereAsked (const ExtractionRequest& request,
+                  const Pipeline& pipeline,
+                  Progress& progress,
+                  std::vector<StageTime>& times)
+{
+  if (!pipeline.gathersSamples() || request.search)
+    return {};
+  // Of all work, as near as anything tells beforehand.
+  constexpr double RESOLVED = 0.05;
+  progress.beginStage ("sampling", RESOLVED);
+  Stopwatch watch (times);
+  SampleNodes nodes =
+      resolveSamples (request.cloud, {request.parameters.threads, &progress});
+  watch.stageDone ("sampling");
+  progress.beginRest();
+  return nodes;
+}
+
 /** \brief The normals of a cloud that has none. */
 std::shared_ptr<const NormalEstimate>
 estimateMissing (const ExtractionRequest& request,
+                 const SampleNodes& nodes,
                  Progress& progress,
                  std::vector<StageTime>& times)
 {
@@ -117,7 +140,7 @@ estimateMissing (const ExtractionRequest& request,
   wanted.cloud = request.cloud;
   wanted.hints = request.hints;
   auto found = std::make_shared<const NormalEstimate> (
-      estimateNormals (wanted, {request.parameters.threads, &progress}));
+      estimateNormals (wanted, nodes, {request.parameters.threads, &progress}));
   watch.stageDone ("normals");
   progress.beginRest();
   return found;
@@ -125,11 +148,13 @@ estimateMissing (const ExtractionRequest& request,
 
 /** \brief How the normals of the cloud are used: those that it has as far as they are
  * right, or estimated ones where it has none.
+ * \param[in] nodes that estimated ones are those of
  * \param[in,out] cloud gets the normals to use
  * \param[out] result gets what they were found to be
  */
 void
 provideNormals (const ExtractionRequest& request,
+                const SampleNodes& nodes,
                 Progress& progress,
                 PointView& cloud,
                 Extraction& result)
@@ -152,7 +177,8 @@ provideNormals (const ExtractionRequest& request,
     result.normal_check = std::move (check);
     return;
   }
-  result.normals = estimateMissing (request, progress, result.statistics.times);
+  result.normals =
+      estimateMissing (request, nodes, progress, result.statistics.times);
   use (result.normals->normals);
 }
 
@@ -226,6 +252,7 @@ extractCrests (const ExtractionRequest& request)
     const AnalysisContents& known = contentsOf (*request.analysis);
     result.normals = known.normals;
     result.normal_check = known.normal_check;
+    result.statistics.sampling = known.sampling;
     points = known.points;
     shape = known.shape;
     if (haveSameTrace (known.parameters, parameters))
@@ -233,10 +260,13 @@ extractCrests (const ExtractionRequest& request)
   }
   else {
     PointView cloud = request.cloud;
-    provideNormals (request, progress, cloud, result);
+    const SampleNodes nodes = gatherWhereAsked (request, pipeline, progress, times);
+    result.statistics.sampling = nodes.findings;
+    provideNormals (request, nodes, progress, cloud, result);
     Stopwatch watch (times);
     points = own_points = std::make_shared<OrientedPoints> (
-        packOrientedPoints (cloud, parameters.threads));
+        nodes.isEmpty() ? packOrientedPoints (cloud, parameters.threads)
+                        : packNodes (cloud, nodes, parameters.threads));
     watch.stageDone ("packing");
     NeighborSource neighbors = neighborSource (request, *points, watch, progress);
     shape = own_shape =
@@ -279,6 +309,7 @@ extractCrests (const ExtractionRequest& request)
          result.normals,
          result.normal_check,
          request.hints,
+         result.statistics.sampling,
          points,
          shape,
          traced,

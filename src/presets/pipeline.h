@@ -80,6 +80,13 @@ public:
   virtual int
   defaultMinSize () const = 0;
 
+  /** \brief Whether samples that tell nothing by themselves are gathered to nodes. */
+  virtual bool
+  gathersSamples () const
+  {
+    return false;
+  }
+
   /** \brief Sections 4.1 and 4.2.
    * \param[in] progress to tell how far it is, if not null; so in the others
    */

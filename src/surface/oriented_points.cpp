@@ -109,6 +109,58 @@ packOrientedPoints (const PointView& cloud, const Workers& workers)
   return points;
 }
 
+OrientedPoints
+packNodes (const PointView& cloud, const SampleNodes& nodes, const Workers& workers)
+{
+  const std::size_t size = nodes.positions.size();
+  // In whole numbers, so that the sum does not depend on the order of the cloud.
+  constexpr double ONE = 1U << 30U;
+  using Sum = Eigen::Matrix<std::int64_t, 3, 1>;
+  std::vector<Sum> sums (size, Sum::Zero());
+  std::vector<index_t> nearest (size, OrientedPoints::INVALID);
+  const auto rank = [&cloud, &nodes] (index_t i) {
+    const Eigen::Vector3f place = cloud.positionOf (static_cast<std::size_t> (i));
+    const Eigen::Vector3f& node = nodes.positions[nodes.node_of[i]];
+    return std::make_tuple (
+        (place - node).stableNorm(), place.x(), place.y(), place.z());
+  };
+  for (std::size_t i = 0; i < cloud.size; ++i) {
+    if (!isValid (cloud, i))
+      continue;
+    const index_t node = nodes.node_of[i];
+    const auto point = static_cast<index_t> (i);
+    sums[node] +=
+        (ONE * unitNormalOf (cloud, i)).array().round().matrix().cast<std::int64_t>();
+    if (nearest[node] == OrientedPoints::INVALID || rank (point) < rank (nearest[node]))
+      nearest[node] = point;
+  }
+  // Where the sheets of a thin part fell into one node, it is on one of them.
+  constexpr double CANCELLED = 1e-6 * ONE;
+  std::vector<Eigen::Vector3f> normals (size, Eigen::Vector3f::Zero());
+  for (std::size_t node = 0; node < size; ++node)
+    if (nearest[node] != OrientedPoints::INVALID) {
+      const Eigen::Vector3d sum = sums[node].cast<double>();
+      const Eigen::Vector3d normal =
+          sum.norm() > CANCELLED
+              ? sum.normalized()
+              : unitNormalOf (cloud, static_cast<std::size_t> (nearest[node]));
+      normals[node] = normal.cast<float>();
+    }
+
+  PointView view = nodes.view();
+  view.normal = normals.front().data();
+  OrientedPoints points = packOrientedPoints (view, workers);
+  for (index_t& point : points.cloud_index)
+    point = nearest[point];
+  std::vector<index_t> packed_index =
+      makeLarge<index_t> (cloud.size, OrientedPoints::INVALID);
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (isValid (cloud, i))
+      packed_index[i] = points.packed_index[nodes.node_of[i]];
+  points.packed_index = std::move (packed_index);
+  return points;
+}
+
 std::uint64_t
 fingerprint (const PointView& cloud, const Workers& workers)
 {

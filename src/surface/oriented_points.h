@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "base/progress.h"
+#include "sampling/sample_nodes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -61,6 +62,18 @@ struct OrientedPoints {
  */
 PCL_CREST_EXPORT OrientedPoints
 packOrientedPoints (const PointView& cloud, const Workers& workers = 1);
+
+/** \brief Packs nodes in the place of the samples that were gathered to them. A node's
+ * normal is the mean of its samples', and its point of the cloud the nearest of these;
+ * every point of the cloud that is valid is packed as its node.
+ * \param[in] cloud with normals
+ * \param[in] nodes of it, not empty
+ * \param[in] workers as above
+ */
+OrientedPoints
+packNodes (const PointView& cloud,
+           const SampleNodes& nodes,
+           const Workers& workers);
 
 /** \brief A number that differs, for all that is likely, where a position or a normal
  * of two clouds does.

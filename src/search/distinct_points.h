@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a cloud as the normals need them.
+// The distinct points of a cloud, scaled.
 #pragma once
-
-#include <pcl_crest/normal_estimation.h>
 
 #include "search/curve_order.h"
 #include "search/point_view.h"
@@ -45,10 +43,6 @@ struct DistinctPoints {
 
 DistinctPoints
 takeDistinct (const PointView& cloud, const Workers& workers);
-
-/** \brief The hints in the unit of a tree over the distinct points. */
-NormalHints
-hintsFor (const NormalHints& hints, const DistinctPoints& distinct, double unit);
 
 } // namespace crest
 } // namespace pcl

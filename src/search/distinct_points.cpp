@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "normals/distinct_points.h"
+#include "search/distinct_points.h"
 
 #include "base/large_arrays.h"
 
@@ -26,16 +26,6 @@ takeDistinct (const PointView& cloud, const Workers& workers)
     distinct.positions.push_back (
         distinct.fromCloud (distinct.points[distinct.begins[i]].position));
   return distinct;
-}
-
-NormalHints
-hintsFor (const NormalHints& hints, const DistinctPoints& distinct, double unit)
-{
-  NormalHints scaled = hints;
-  if (hints.viewpoint)
-    scaled.viewpoint =
-        distinct.fromViewpoint (*hints.viewpoint) / static_cast<float> (unit);
-  return scaled;
 }
 
 } // namespace crest
