@@ -11,13 +11,14 @@ CrossingPlanes::fit (const Coordinates& positions,
                      const Coordinates& normals,
                      std::size_t count,
                      const Eigen::Matrix3d& products,
-                     double tolerance)
+                     double tolerance,
+                     double most_astray)
 {
   constexpr int ROUNDS = 6;
   constexpr double LEAST_PART = 0.12;
   // Normals next to the line may look anywhere between those of the two.
-  constexpr double ALONG = 0.6;
-  constexpr double MOST_ASTRAY = 0.2;
+  constexpr double ALONG = 0.5;
+  constexpr double MOST_BEYOND = 0.3;
   // The axes of the normals, whichever way they look. The eigenvalues add up to the
   // count: with least for the middle one the sum of their products is at least this.
   const auto whole = static_cast<double> (count);
@@ -80,7 +81,7 @@ CrossingPlanes::fit (const Coordinates& positions,
     else if (height < -tolerance)
       behind[other] += 1.0;
   }
-  if (std::min (points[0], points[1]) < least || astray > MOST_ASTRAY * whole)
+  if (std::min (points[0], points[1]) < least || astray > most_astray * whole)
     return false;
   for (const int plane : {0, 1})
     if (signs[plane] < 0.0) {
@@ -88,7 +89,7 @@ CrossingPlanes::fit (const Coordinates& positions,
       std::swap (before[plane], behind[plane]);
     }
   const auto endsAt = [&] (int plane) {
-    return std::min (before[plane], behind[plane]) <= MOST_ASTRAY * points[1 - plane];
+    return std::min (before[plane], behind[plane]) <= MOST_BEYOND * points[1 - plane];
   };
   if (!endsAt (0)) {
     if (!endsAt (1))

@@ -21,13 +21,15 @@ public:
    * \param[in] count of these the first that are meant
    * \param[in] products the sum of the products of their normals with themselves
    * \param[in] tolerance distance from a plane that is no side of it
+   * \param[in] most_astray the part of normals that may look elsewhere than their plane
    */
   bool
   fit (const Coordinates& positions,
        const Coordinates& normals,
        std::size_t count,
        const Eigen::Matrix3d& products,
-       double tolerance);
+       double tolerance,
+       double most_astray);
 
   /** \brief The planes, with the signs that most of their points' normals have; the
    * second is the one that ends at the first.
