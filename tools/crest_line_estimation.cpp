@@ -150,6 +150,9 @@ run (const Files& files, const Parameters& parameters, bool quiet)
   if (code != EXIT_DONE)
     return fail (PROGRAM, code, error);
   const auto& [cloud, estimation, labels] = result;
+  const std::string sampling = explainSampling (estimation.getStatistics().sampling);
+  if (!sampling.empty())
+    std::cout << "Sampling: " << sampling << "\n";
   report (estimation.getLines(), labels);
 
   std::vector<StageTime> times = cloud.times;

@@ -29,7 +29,8 @@ struct ExtractionRequest {
   NormalHints hints;
   Parameters parameters;
   /** finds candidate neighbours in the cloud, k of them or those within the radius, in
-   * the place of all other searches; empty for none */
+   * the place of all other searches, and then samples are not gathered to nodes; empty
+   * for none */
   NeighborSearch search;
   /** makes the searches that Parameters::batched_search is not for; where it is empty
    * the batched search takes their place */
@@ -45,7 +46,8 @@ struct ExtractionRequest {
 
 /** \brief What an extraction found out beside labels and lines. */
 struct ExtractionStatistics {
-  /** mean over the samples of the mean distance to their 6 nearest neighbours */
+  /** mean over the samples, or the nodes that these were gathered to, of the mean
+   * distance to their 6 nearest neighbours */
   double mean_spacing = 0.0;
   /** largest side of the bounding box of the valid points */
   double extent = 0.0;
@@ -65,7 +67,8 @@ struct LinePlace {
 };
 
 /** \brief The crests of a cloud. Labels and curvatures are those of its samples: the
- * finite points with a normal, one for all that are coincident.
+ * finite points with a normal, one for all that are coincident or were gathered to one
+ * node (see SamplingFindings).
  */
 struct Extraction {
   /** for each point of the cloud its sample, or -1 if it is invalid */

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -61,8 +62,9 @@ struct SamplingFindings {
   double spacing = 0.0;
   /** second moments of the steps to the nearest, the larger over the smaller */
   double anisotropy = 1.0;
-  /** what a quadric leaves of 24, 96 and 384 neighbours' heights, standard deviations:
-   * the same for white noise, growing for correlated noise and for relief */
+  /** what a quadric leaves of 24, 96 and 384 neighbours' heights, standard deviations,
+   * where that is least, in the first quarter of the windows: the same for white noise,
+   * growing for correlated noise and for relief */
   std::array<double, 3> noise{};
   /** points that were gathered to nodes, and the nodes that the lines are found on; 0
    * where samples will do */
@@ -73,6 +75,12 @@ struct SamplingFindings {
   /** how many windows have each flaw, by SamplingFlaw */
   std::array<std::size_t, 5> flaws{};
 };
+
+/** \brief What was found, in one line for the user; empty where too few samples are
+ * there to tell.
+ */
+PCL_CREST_EXPORT std::string
+explainSampling (const SamplingFindings& findings);
 
 /** \brief Squared distances that differ by less than this part are equal. The equal
  * steps of a scanner or mesher are not quite equal in a file of six digits, nor in

@@ -299,8 +299,8 @@ private:
           meetingLine (through, ending, LEAST_CROSSING, 180.0 - LEAST_CROSSING);
       const double of_planes =
           crossing_.squaredDistances() / static_cast<double> (count - PLANE_PARAMETERS);
-      if (line && of_planes <= std::min (largest * largest,
-                                         largestResidual (count, smooth[w])))
+      if (line &&
+          of_planes <= std::min (largest * largest, largestResidual (count, smooth[w])))
         return creaseAlong (*line,
                             (through.normal + ending.normal).normalized(),
                             crossing_.convex(),

@@ -109,6 +109,28 @@ describe (const NormalFindings& findings)
           {"guessed", findings.guessed}};
 }
 
+/** \brief How the points were sampled, lengths in the unit of the file. */
+Json
+describe (const SamplingFindings& sampling)
+{
+  Json json;
+  json["spacing"] = sampling.spacing;
+  json["anisotropy"] = sampling.anisotropy;
+  json["noise"] = sampling.noise;
+  json["gathered_points"] = sampling.gathered;
+  json["nodes"] = sampling.nodes;
+  json["resolving_spacing"] = sampling.resolving_spacing;
+  const auto flawed = [&sampling] (SamplingFlaw flaw) {
+    return sampling.flaws[static_cast<std::size_t> (flaw)];
+  };
+  json["flawed_windows"] = {
+      {"clumps", flawed (SamplingFlaw::CLUMPS)},
+      {"depth_steps", flawed (SamplingFlaw::DEPTH_STEPS)},
+      {"correlated_noise", flawed (SamplingFlaw::CORRELATED_NOISE)},
+      {"two_scans", flawed (SamplingFlaw::TWO_SCANS)}};
+  return json;
+}
+
 Json
 describe (CrestType type,
           const pcl::PointCloud<pcl::Label>& labels,
@@ -192,6 +214,8 @@ writeStatistics (
   json["normals"] = nameOf (cloud.normals);
   if (cloud.estimate)
     json["orientation"] = describe (*cloud.estimate);
+  if (statistics.sampling.spacing > 0.0)
+    json["sampling"] = describe (statistics.sampling);
   if (statistics.normals)
     json["normal_check"] = describe (*statistics.normals);
   json["mean_spacing"] = statistics.mean_spacing;

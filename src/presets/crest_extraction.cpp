@@ -177,8 +177,7 @@ provideNormals (const ExtractionRequest& request,
     result.normal_check = std::move (check);
     return;
   }
-  result.normals =
-      estimateMissing (request, nodes, progress, result.statistics.times);
+  result.normals = estimateMissing (request, nodes, progress, result.statistics.times);
   use (result.normals->normals);
 }
 

@@ -100,8 +100,7 @@ wishForClumps (const std::vector<const SampleWindow*>& region, Wish& wish)
   // Weak clumps are random samples with a few too near to each other, and smaller than
   // the places between them.
   if (empty > CLUMPED * sample || in_lines)
-    wish.gathered =
-        (0.6 + 0.4 * std::clamp (empty / sample - 1.5, 0.0, 0.5)) * empty;
+    wish.gathered = (0.6 + 0.4 * std::clamp (empty / sample - 1.5, 0.0, 0.5)) * empty;
   wish.surely_gathered = empty > SURELY_CLUMPED * sample || in_lines;
 }
 
@@ -118,11 +117,10 @@ RegionNoise
 noiseOf (std::vector<const SampleWindow*> region)
 {
   const auto relief = [] (const SampleWindow* w) { return w->noise[2] / w->spacing; };
-  std::stable_sort (region.begin(),
-                    region.end(),
-                    [&] (const SampleWindow* a, const SampleWindow* b) {
-                      return relief (a) < relief (b);
-                    });
+  std::stable_sort (
+      region.begin(), region.end(), [&] (const SampleWindow* a, const SampleWindow* b) {
+        return relief (a) < relief (b);
+      });
   region.resize ((region.size() + 3) / 4);
   RegionNoise noise;
   double variance = 0.0;
@@ -154,8 +152,8 @@ correlationLength (const std::array<double, 3>& correlation)
       continue;
     if (i == 0)
       return LAGS[0];
-    const double part = (correlation[i - 1] - INDEPENDENT) /
-                        (correlation[i - 1] - correlation[i]);
+    const double part =
+        (correlation[i - 1] - INDEPENDENT) / (correlation[i - 1] - correlation[i]);
     return LAGS[i - 1] + (LAGS[i] - LAGS[i - 1]) * part;
   }
   return LAGS[2];
@@ -174,8 +172,8 @@ wishForNoise (const std::vector<const SampleWindow*>& region, Wish& wish)
   const auto& correlation = noise.correlation;
   const double sigma = std::sqrt (widest);
   const auto count = [&region] (bool SampleWindow::*what) {
-    return static_cast<double> (std::count_if (
-        region.begin(), region.end(), [what] (const SampleWindow* w) {
+    return static_cast<double> (
+        std::count_if (region.begin(), region.end(), [what] (const SampleWindow* w) {
           return w->*what;
         }));
   };
@@ -193,15 +191,13 @@ wishForNoise (const std::vector<const SampleWindow*>& region, Wish& wish)
     return;
   }
   const double stepped = count (&SampleWindow::is_stepped);
-  const bool steps = stepped >= 4.0 &&
-                     stepped > 0.4 * count (&SampleWindow::is_flat) &&
+  const bool steps = stepped >= 4.0 && stepped > 0.4 * count (&SampleWindow::is_flat) &&
                      stepped > 0.2 * static_cast<double> (region.size());
   // Noise that is correlated over a few spacings grows with the window, and then no
   // more; relief goes on. Relief has nothing at the finest scale either.
-  const bool like_noise = middle > 1.2 * finest &&
-                          widest - finest < 4.0 * (middle - finest) &&
-                          correlation[0] > CORRELATED && noise.kurtosis > 1.9 &&
-                          noise.kurtosis < 4.2;
+  const bool like_noise =
+      middle > 1.2 * finest && widest - finest < 4.0 * (middle - finest) &&
+      correlation[0] > CORRELATED && noise.kurtosis > 1.9 && noise.kurtosis < 4.2;
   wish.surely_noisy =
       sigma > MUCH && (steps || (like_noise && finest > 0.16 * widest &&
                                  correlation[2] < 0.6 * correlation[0]));
@@ -251,8 +247,7 @@ findResolvingSpacing (std::vector<SampleWindow> windows, NoiseSearch search)
   }
 
   const auto part = [&wishes] (const auto& which) {
-    return static_cast<double> (
-               std::count_if (wishes.begin(), wishes.end(), which)) /
+    return static_cast<double> (std::count_if (wishes.begin(), wishes.end(), which)) /
            static_cast<double> (wishes.size());
   };
   constexpr double CLUMPED = 0.03;
@@ -261,11 +256,11 @@ findResolvingSpacing (std::vector<SampleWindow> windows, NoiseSearch search)
   constexpr double PERHAPS_NOISY = 0.6;
   const bool clumped =
       part ([] (const Wish& w) { return w.surely_gathered; }) > CLUMPED;
-  const bool noisy =
-      part ([] (const Wish& w) { return w.surely_noisy; }) >
-          (search == NoiseSearch::NODES ? NODES_NOISY : NOISY) ||
-      (search == NoiseSearch::SAMPLES &&
-       part ([] (const Wish& w) { return w.perhaps_noisy; }) > PERHAPS_NOISY);
+  const bool noisy = part ([] (const Wish& w) { return w.surely_noisy; }) >
+                         (search == NoiseSearch::NODES ? NODES_NOISY : NOISY) ||
+                     (search == NoiseSearch::SAMPLES && part ([] (const Wish& w) {
+                                                          return w.perhaps_noisy;
+                                                        }) > PERHAPS_NOISY);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     const Wish& wish = wishes[i];
     if (clumped && wish.gathered > 0.0) {

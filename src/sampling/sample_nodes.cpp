@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -51,11 +52,39 @@ measureWindows (const PointTree& tree,
   return windows;
 }
 
-/** \brief How far apart nodes are at each of the positions: between the nearest
- * windows, or 0 where most of them ask for none.
+/** \brief How far apart nodes are around a place: between the nearest windows, or 0
+ * where most of them ask for none.
+ */
+float
+spacingAt (const std::vector<Ranked>& nearest,
+           const PointTree& windows,
+           const ResolvingSpacing& wanted)
+{
+  const double farthest = squaredDistanceOf (nearest.back());
+  double sum = 0.0;
+  double weights = 0.0;
+  std::size_t asking = 0;
+  for (const Ranked& window : nearest) {
+    const double spacing = wanted.spacings[windows.index (window.number)];
+    if (!(spacing > 0.0))
+      continue;
+    // A window does not count for all, however near.
+    const double weight =
+        1.0 / (1e-3 * farthest + squaredDistanceOf (window) +
+               static_cast<double> (std::numeric_limits<float>::min()));
+    sum += weight * std::log (spacing);
+    weights += weight;
+    ++asking;
+  }
+  return 2 * asking > nearest.size() ? static_cast<float> (std::exp (sum / weights))
+                                     : 0.0F;
+}
+
+/** \brief How far apart nodes are at each sample of a tree, by its index; the same for
+ * those of a leaf.
  */
 std::vector<float>
-spreadSpacings (const std::vector<Eigen::Vector3f>& positions,
+spreadSpacings (const PointTree& tree,
                 const std::vector<SampleWindow>& windows,
                 const ResolvingSpacing& wanted,
                 const Workers& workers)
@@ -64,65 +93,124 @@ spreadSpacings (const std::vector<Eigen::Vector3f>& positions,
   std::vector<Eigen::Vector3f> middles;
   for (const SampleWindow& window : windows)
     middles.push_back (window.position.cast<float>());
-  const std::shared_ptr<const PointTree> tree = treeOver (middles, workers.threads);
-  const auto unit = static_cast<float> (tree->unit);
-  std::vector<float> spacings (positions.size(), 0.0F);
-  forEachBlock (positions.size(),
-                workers,
-                [&] (std::size_t, std::size_t first, std::size_t last) {
-                  NearestFirst search (*tree, kernelsFor (bestSimd()));
-                  for (; first < last; ++first) {
-                    const Eigen::Vector3f place = positions[first] / unit;
-                    const std::vector<Ranked>& found =
-                        search.search (-1,
-                                       place.data(),
-                                       NEAREST,
-                                       std::numeric_limits<float>::infinity());
-                    const double farthest = squaredDistanceOf (found.back());
-                    double sum = 0.0;
-                    double weights = 0.0;
-                    int asking = 0;
-                    for (const Ranked& window : found) {
-                      const double spacing =
-                          wanted.spacings[tree->index (window.number)];
-                      if (!(spacing > 0.0))
-                        continue;
-                      const double weight =
-                          1.0 / (1e-3 * farthest + squaredDistanceOf (window) + 1e-30);
-                      sum += weight * std::log (spacing);
-                      weights += weight;
-                      ++asking;
-                    }
-                    if (2 * asking > static_cast<int> (found.size()))
-                      spacings[first] = static_cast<float> (std::exp (sum / weights));
-                  }
-                });
+  const std::shared_ptr<const PointTree> middle_tree =
+      treeOver (middles, workers.threads);
+  const auto unit = static_cast<float> (middle_tree->unit);
+  std::vector<float> spacings (tree.size, 0.0F);
+  const auto spreadOver = [&] (std::size_t, std::size_t first, std::size_t last) {
+    NearestFirst search (*middle_tree, kernelsFor (bestSimd()));
+    for (std::size_t leaf = first; leaf < last; ++leaf) {
+      const PointLeaf& samples = tree.leaves[leaf];
+      const auto count = static_cast<int> (
+          std::min<std::size_t> (LEAF_SIZE, tree.size - leaf * LEAF_SIZE));
+      const Eigen::Vector3f place =
+          Eigen::Vector3f (samples.x[0], samples.y[0], samples.z[0]) / unit;
+      const float spacing = spacingAt (
+          search.search (
+              -1, place.data(), NEAREST, std::numeric_limits<float>::infinity()),
+          *middle_tree,
+          wanted);
+      for (int i = 0; i < count; ++i)
+        spacings[samples.index[i]] = spacing;
+    }
+  };
+  forEachBlock (tree.leafCount(), workers, spreadOver);
   return spacings;
 }
 
-/** \brief The medians of what the windows tell, in the unit of the cloud. */
+/** \brief What the windows tell, in the unit of the cloud. */
 SamplingFindings
 summarize (std::vector<SampleWindow> windows, double unit)
 {
   SamplingFindings findings;
   if (windows.empty())
     return findings;
-  const auto median = [&windows] (const auto& value) {
+  constexpr std::size_t QUARTER = 4;
+  constexpr std::size_t HALF = 2;
+  const auto least = [&windows] (std::size_t part, const auto& value) {
     std::vector<double> values;
     for (const SampleWindow& window : windows)
       values.push_back (value (window));
-    const auto middle =
-        values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-    std::nth_element (values.begin(), middle, values.end());
-    return *middle;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t> (values.size() / part);
+    std::nth_element (values.begin(), at, values.end());
+    return *at;
   };
   findings.spacing =
-      unit * median ([] (const SampleWindow& w) { return w.empty_spacing; });
-  findings.anisotropy = median ([] (const SampleWindow& w) { return w.anisotropy; });
+      unit * least (HALF, [] (const SampleWindow& w) { return w.empty_spacing; });
+  findings.anisotropy =
+      least (HALF, [] (const SampleWindow& w) { return w.anisotropy; });
   for (std::size_t i = 0; i < WINDOW_SIZES.size(); ++i)
     findings.noise[i] =
-        unit * median ([i] (const SampleWindow& w) { return w.noise[i]; });
+        unit * least (QUARTER, [i] (const SampleWindow& w) { return w.noise[i]; });
   return findings;
+}
+
+/** \brief Enters what was gathered, and why. */
+void
+describe (const ResolvingSpacing& wanted,
+          std::vector<float> spacings,
+          double scale,
+          SamplingFindings& findings)
+{
+  for (const SamplingFlaw flaw : wanted.flaws)
+    if (flaw != SamplingFlaw::NONE)
+      ++findings.flaws[static_cast<std::size_t> (flaw)];
+  spacings.erase (std::remove (spacings.begin(), spacings.end(), 0.0F), spacings.end());
+  findings.gathered = spacings.size();
+  const auto middle =
+      spacings.begin() + static_cast<std::ptrdiff_t> (spacings.size() / 2);
+  std::nth_element (spacings.begin(), middle, spacings.end());
+  findings.resolving_spacing = *middle / scale;
+}
+
+/** \brief The points of a cloud that are finite and not far from all others, by the
+ * quartiles of their coordinates.
+ */
+std::vector<index_t>
+withoutStrays (const PointView& cloud)
+{
+  constexpr double FAR = 50.0;
+  std::vector<index_t> points;
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (cloud.positionOf (i).allFinite())
+      points.push_back (static_cast<index_t> (i));
+  if (points.empty())
+    return points;
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  std::vector<float> values (points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      values[i] = cloud.positionOf (static_cast<std::size_t> (points[i]))[axis];
+    const auto percentile = [&values] (std::size_t percent) {
+      const auto at =
+          values.begin() + static_cast<std::ptrdiff_t> (values.size() * percent / 100);
+      std::nth_element (values.begin(), at, values.end());
+      return static_cast<double> (*at);
+    };
+    low[axis] = percentile (25);
+    high[axis] = percentile (75);
+  }
+  const double reach = FAR * (high - low).maxCoeff();
+  if (!(reach > 0.0))
+    return points;
+  const auto isStray = [&] (index_t i) {
+    const Eigen::Array3d place =
+        cloud.positionOf (static_cast<std::size_t> (i)).cast<double>().array();
+    return (place < low.array() - reach).any() || (place > high.array() + reach).any();
+  };
+  points.erase (std::remove_if (points.begin(), points.end(), isStray), points.end());
+  return points;
+}
+
+/** \brief Samples without normals as a cloud. */
+PointView
+viewOf (const std::vector<Eigen::Vector3f>& positions)
+{
+  return {positions.empty() ? nullptr : positions.front().data(),
+          nullptr,
+          3,
+          positions.size()};
 }
 
 /** \brief One round of gathering. */
@@ -161,14 +249,11 @@ resolveOnce (const PointView& cloud, bool again, const Workers& workers)
   if (!wanted.asks())
     return result;
   wanted = probe (std::clamp (size / SAMPLES_EACH_OF_MANY, few, MANY), windows);
-  for (SampleWindow& window : windows)
-    window.position *= tree->unit;
-  for (double& spacing : wanted.spacings)
-    spacing *= tree->unit;
   if (!wanted.asks())
     return result;
-  const std::vector<float> spacings =
-      spreadSpacings (distinct.positions, windows, wanted, workers);
+  std::vector<float> spacings = spreadSpacings (*tree, windows, wanted, workers);
+  for (float& spacing : spacings)
+    spacing *= static_cast<float> (tree->unit);
   if (std::none_of (spacings.begin(), spacings.end(), [] (float s) { return s > 0; }))
     return result;
   const GatheredSamples gathered =
@@ -187,13 +272,7 @@ resolveOnce (const PointView& cloud, bool again, const Workers& workers)
   for (std::size_t node = 0; node < gathered.nodes; ++node)
     result.positions.emplace_back (
         (sums[node] / counts[node] / distinct.scale + distinct.center).cast<float>());
-  for (const float spacing : spacings)
-    if (spacing > 0.0F)
-      ++result.findings.gathered;
-  result.findings.nodes = gathered.nodes;
-  for (const SamplingFlaw flaw : wanted.flaws)
-    if (flaw != SamplingFlaw::NONE)
-      ++result.findings.flaws[static_cast<std::size_t> (flaw)];
+  describe (wanted, spacings, distinct.scale, result.findings);
   return result;
 }
 
@@ -203,17 +282,33 @@ SampleNodes
 resolveSamples (const PointView& cloud, const Workers& workers)
 {
   constexpr int ROUNDS = 3;
-  SampleNodes nodes = resolveOnce (cloud, false, workers);
+  const std::vector<index_t> points = withoutStrays (cloud);
+  std::vector<Eigen::Vector3f> positions;
+  for (const index_t i : points)
+    positions.push_back (cloud.positionOf (static_cast<std::size_t> (i)));
+  SampleNodes nodes = resolveOnce (viewOf (positions), false, workers);
   for (int round = 1; round < ROUNDS && !nodes.isEmpty(); ++round) {
     SampleNodes again = resolveOnce (nodes.view(), true, workers);
     if (again.isEmpty())
       break;
     for (index_t& node : nodes.node_of)
-      if (node >= 0)
-        node = again.node_of[node];
+      node = again.node_of[node];
     nodes.positions = std::move (again.positions);
-    nodes.findings.nodes = nodes.positions.size();
+    nodes.findings.resolving_spacing = again.findings.resolving_spacing;
   }
+  if (nodes.isEmpty())
+    return nodes;
+  nodes.findings.nodes = nodes.positions.size();
+  std::vector<index_t> node_of (cloud.size, -1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    node_of[points[i]] = nodes.node_of[i];
+  // What strays is a node by itself.
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (node_of[i] < 0 && cloud.positionOf (i).allFinite()) {
+      node_of[i] = static_cast<index_t> (nodes.positions.size());
+      nodes.positions.push_back (cloud.positionOf (i));
+    }
+  nodes.node_of = std::move (node_of);
   return nodes;
 }
 

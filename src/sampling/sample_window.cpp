@@ -94,8 +94,7 @@ WindowMeasure::correlate (SampleWindow& window) const
   constexpr std::array<double, 3> LAGS{1.5, 3.0, 5.0};
   // Nearer to the rim a quadric takes more of the noise for shape.
   constexpr Eigen::Index INNER = 28;
-  window.variance =
-      residuals_.squaredNorm() / static_cast<double> (residuals_.size());
+  window.variance = residuals_.squaredNorm() / static_cast<double> (residuals_.size());
   if (window.variance > 0.0)
     window.kurtosis = residuals_.array().square().square().mean() /
                       (window.variance * window.variance);
@@ -183,7 +182,8 @@ WindowMeasure::lookForSteps (SampleWindow& window)
   std::size_t on_level = 0;
   for (std::size_t i = 0; i < heights_.size();) {
     std::size_t end = i + 1;
-    while (end < heights_.size() && heights_[end].first - heights_[end - 1].first < same)
+    while (end < heights_.size() &&
+           heights_[end].first - heights_[end - 1].first < same)
       ++end;
     if (end - i >= LEAST_ON_LEVEL)
       on_level += end - i;
@@ -198,19 +198,19 @@ WindowMeasure::lookForSteps (SampleWindow& window)
 
   // Above samples of another sheet there are samples of this within a spacing.
   constexpr double MOST_OVER = 0.55;
+  const auto on_this = std::stable_partition (
+      heights_.begin(), heights_.end(), [same] (const std::pair<double, int>& sample) {
+        return std::abs (sample.first) < 2.0 * same;
+      });
   double over = 0.0;
-  double others = 0.0;
-  for (const auto& [height, j] : heights_) {
-    if (std::abs (height) < 2.0 * same)
-      continue;
+  const auto others = static_cast<double> (heights_.end() - on_this);
+  for (auto other = on_this; other != heights_.end(); ++other) {
     double least = std::numeric_limits<double>::max();
-    for (const auto& [level, i] : heights_)
-      if (std::abs (level) < 2.0 * same) {
-        const double up = level - height;
-        least = std::min (least,
-                          (steps_.col (i) - steps_.col (j)).squaredNorm() - up * up);
-      }
-    ++others;
+    for (auto level = heights_.begin(); level != on_this; ++level) {
+      const double up = level->first - other->first;
+      const auto step = steps_.col (level->second) - steps_.col (other->second);
+      least = std::min (least, step.squaredNorm() - up * up);
+    }
     if (least < window.spacing * window.spacing)
       ++over;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Room sampling: how a cloud was sampled, and samples gathered to nodes where single ones
-// tell nothing of the surface.
+// Room sampling: how a cloud was sampled, and samples gathered to nodes where single
+// ones tell nothing of the surface.
 //
 // Positions go in, findings and nodes come out. It knows no normals.
 #pragma once

@@ -71,9 +71,7 @@ packOrientedPoints (const PointView& cloud, const Workers& workers = 1);
  * \param[in] workers as above
  */
 OrientedPoints
-packNodes (const PointView& cloud,
-           const SampleNodes& nodes,
-           const Workers& workers);
+packNodes (const PointView& cloud, const SampleNodes& nodes, const Workers& workers);
 
 /** \brief A number that differs, for all that is likely, where a position or a normal
  * of two clouds does.
