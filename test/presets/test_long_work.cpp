@@ -110,8 +110,10 @@ TEST (LongWork, ProgressGoesFromStageToStageToTheEnd)
     EXPECT_EQ (labels.size(), cloud()->size());
     std::vector<std::string> expected{
         "search tree", "surface graph", "curvature", "crest points", "lines"};
-    if (preset == Preset::AUTO)
+    if (preset == Preset::AUTO) {
       expected.insert (expected.begin() + 2, "creases");
+      expected.insert (expected.begin(), "sampling");
+    }
     EXPECT_EQ (stages, expected);
     EXPECT_EQ (last, 1.0);
   }
@@ -120,8 +122,12 @@ TEST (LongWork, ProgressGoesFromStageToStageToTheEnd)
 TEST (LongWork, StopsWhereTheCallbackSaysSo)
 {
   for (const unsigned threads : {1U, 2U})
-    for (const std::string stop_at :
-         {"search tree", "surface graph", "creases", "curvature", "lines"}) {
+    for (const std::string stop_at : {"sampling",
+                                      "search tree",
+                                      "surface graph",
+                                      "creases",
+                                      "curvature",
+                                      "lines"}) {
       Estimation estimation;
       estimation.setInputCloud (cloud());
       estimation.setNumberOfThreads (threads);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/analytic_surface.h"
+#include "support/sensors.h"
 #include "support/temporary_directory.h"
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -210,6 +211,26 @@ TEST_F (LineTool, AutoOptionsAreThoseOfTheLibrary)
   parameters.preset = Preset::PAPER;
   parameters.boundaries = true;
   expectSame ({"-preset", "paper", "-boundaries"}, parameters);
+}
+
+TEST_F (LineTool, TellsHowTheCloudWasSampled)
+{
+  const double h = oracle::meanSpacing (*cloud_);
+  for (const bool clumped : {false, true}) {
+    const std::string file =
+        write (clumped ? oracle::accumulatedFrames (*cloud_, 5, 0.02 * h) : *cloud_);
+    const std::string statistics = outputs_.file ("s.json");
+    const Outcome result = run ({file, outputs_.file ("o.pcd"), "-stats", statistics});
+    ASSERT_EQ (0, result.code) << result.error;
+    EXPECT_NE (result.out.find ("Sampling: spacing "), std::string::npos) << result.out;
+    EXPECT_EQ (result.out.find ("nodes") != std::string::npos, clumped) << result.out;
+    const auto json = nlohmann::json::parse (oracle::contentOf (statistics));
+    const auto& sampling = json.at ("sampling");
+    EXPECT_NEAR (sampling.at ("spacing").get<double>() / h, 1.0, 0.3);
+    EXPECT_EQ (sampling.at ("gathered_points").get<std::size_t>() > 0, clumped);
+    EXPECT_EQ (sampling.at ("flawed_windows").at ("clumps").get<std::size_t>() > 0,
+               clumped);
+  }
 }
 
 TEST_F (LineTool, CountsAreGrammatical)
