@@ -10,6 +10,9 @@
 namespace pcl {
 namespace crest {
 
+namespace {
+
+/** \brief As random as the last steps of MurmurHash3, and no two alike. */
 std::uint32_t
 scrambled (std::uint32_t x)
 {
@@ -17,6 +20,8 @@ scrambled (std::uint32_t x)
   x = (x ^ x >> 13U) * 0xc2b2ae35U;
   return x ^ x >> 16U;
 }
+
+} // namespace
 
 GatheredSamples
 gatherSamples (const PointTree& tree,

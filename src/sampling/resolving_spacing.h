@@ -6,6 +6,7 @@
 
 #include "sampling/sample_window.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace pcl {
@@ -17,6 +18,7 @@ struct ResolvingSpacing {
   std::vector<double> spacings;
   /** why, by windows */
   std::vector<SamplingFlaw> flaws;
+
   bool
   asks () const
   {

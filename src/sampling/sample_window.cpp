@@ -92,7 +92,7 @@ void
 WindowMeasure::correlate (SampleWindow& window) const
 {
   constexpr std::array<double, 3> LAGS{1.5, 3.0, 5.0};
-  // Nearer to the rim a quadric takes more of the noise for shape.
+  // The nearest, as pairs are many. Nearer to the rim the quadric follows the noise.
   constexpr Eigen::Index INNER = 28;
   window.variance = residuals_.squaredNorm() / static_cast<double> (residuals_.size());
   if (window.variance > 0.0)
