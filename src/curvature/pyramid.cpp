@@ -3,6 +3,7 @@
 
 #include "base/large_arrays.h"
 #include "base/parallel.h"
+#include "base/scrambled.h"
 
 #include <algorithm>
 #include <numeric>
@@ -23,18 +24,9 @@ constexpr int ROUNDS = 8;
  */
 constexpr float MERGE_COSINE = 0.5F;
 
-/** \brief Mixes the bits of an index, so that ties on a lattice fall at random and do
- * not build long chains (the finalizer of MurmurHash3, A. Appleby, public domain).
+/** \brief How lopsided the star of a node is, then a hash, so that ties on a lattice
+ * fall at random and do not build long chains: smaller comes first.
  */
-std::uint32_t
-hash (std::uint32_t x)
-{
-  x = (x ^ x >> 16) * 0x85ebca6bU;
-  x = (x ^ x >> 13) * 0xc2b2ae35U;
-  return x ^ x >> 16;
-}
-
-/** \brief How lopsided the star of a node is, then a hash: smaller comes first. */
 std::uint64_t
 priority (const std::vector<Eigen::Vector3f>& positions,
           const SurfaceGraph& graph,
@@ -52,7 +44,7 @@ priority (const std::vector<Eigen::Vector3f>& positions,
   constexpr double STEPS = 1 << 16;
   const double asymmetry = lengths > 0.0 ? sum.norm() / lengths : 1.0;
   return static_cast<std::uint64_t> (STEPS * asymmetry) << 32 |
-         hash (static_cast<std::uint32_t> (node));
+         scrambled (static_cast<std::uint32_t> (node));
 }
 
 bool

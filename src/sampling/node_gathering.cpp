@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sampling/node_gathering.h"
 
+#include "base/scrambled.h"
 #include "search/ball_search.h"
 
 #include <algorithm>
@@ -9,19 +10,6 @@
 
 namespace pcl {
 namespace crest {
-
-namespace {
-
-/** \brief As random as the last steps of MurmurHash3, and no two alike. */
-std::uint32_t
-scrambled (std::uint32_t x)
-{
-  x = (x ^ x >> 16U) * 0x85ebca6bU;
-  x = (x ^ x >> 13U) * 0xc2b2ae35U;
-  return x ^ x >> 16U;
-}
-
-} // namespace
 
 GatheredSamples
 gatherSamples (const PointTree& tree,

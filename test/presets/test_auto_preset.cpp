@@ -23,6 +23,7 @@ using namespace pcl::crest;
 using oracle::countDifferent;
 using oracle::CrestRun;
 using oracle::extract;
+using oracle::totalLength;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
 namespace oracle {
@@ -36,15 +37,6 @@ operator<< (std::ostream& stream, const AnalyticSurface& surface)
 } // namespace oracle
 
 namespace {
-
-double
-totalLength (const std::vector<CrestLine>& lines)
-{
-  double sum = 0.0;
-  for (const CrestLine& line : lines)
-    sum += line.length;
-  return sum;
-}
 
 std::set<pcl::index_t>
 pointsOf (const std::vector<CrestLine>& lines, CrestType type)

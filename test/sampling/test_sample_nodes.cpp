@@ -31,15 +31,6 @@ resolve (const pcl::PointCloud<PointT>& cloud, unsigned threads = 2)
                          threads);
 }
 
-double
-lengthOf (const std::vector<CrestLine>& lines)
-{
-  double length = 0.0;
-  for (const CrestLine& line : lines)
-    length += line.length;
-  return length;
-}
-
 std::size_t
 flawsOf (const SampleNodes& nodes, SamplingFlaw flaw)
 {
@@ -185,7 +176,7 @@ TEST (SampleNodes, NothingIsDrawnOfDepthNoise)
   estimation.compute (labels);
   const double spacing = estimation.getStatistics().sampling.spacing;
   ASSERT_GT (spacing, 0.0);
-  EXPECT_LT (lengthOf (estimation.getLines()), 20.0 * spacing);
+  EXPECT_LT (oracle::totalLength (estimation.getLines()), 20.0 * spacing);
 }
 
 TEST (SampleNodes, ACornerIsSeenThroughDepthNoise)

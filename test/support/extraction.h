@@ -18,6 +18,15 @@ struct CrestRun {
   pcl::PointCloud<pcl::PointNormal>::ConstPtr line_cloud;
 };
 
+inline double
+totalLength (const std::vector<pcl::crest::CrestLine>& lines)
+{
+  double sum = 0.0;
+  for (const pcl::crest::CrestLine& line : lines)
+    sum += line.length;
+  return sum;
+}
+
 inline CrestRun
 extract (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
          const pcl::crest::Parameters& parameters = {})
