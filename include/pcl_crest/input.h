@@ -51,7 +51,9 @@ enum class SamplingFlaw {
   /** noise that neighbouring samples share */
   CORRELATED_NOISE,
   /** two sheets less than a spacing apart, neither of which is complete */
-  TWO_SCANS
+  TWO_SCANS,
+  /** noise of each sample by itself, nearly as much as samples are apart */
+  WHITE_NOISE
 };
 
 /** \brief How a cloud was sampled: medians over windows of neighbours, all lengths in
@@ -72,8 +74,9 @@ struct SamplingFindings {
   std::size_t nodes = 0;
   /** between nodes where points were gathered */
   double resolving_spacing = 0.0;
-  /** how many windows have each flaw, by SamplingFlaw */
-  std::array<std::size_t, 5> flaws{};
+  /** how many windows have each flaw, by SamplingFlaw; white noise is told of the
+   * cloud, and 1 or 0 */
+  std::array<std::size_t, 6> flaws{};
 };
 
 /** \brief What was found, in one line for the user; empty where too few samples are

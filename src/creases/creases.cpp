@@ -53,18 +53,13 @@ using SmoothResiduals = std::array<double, WINDOWS.size()>;
  */
 class CreaseFitter {
 public:
-  /** The window that tells the noise, as a cubic follows most of what else there is. */
-  static constexpr std::size_t NOISE_WINDOW = 30;
-
   /** \param[in] points, graph the samples
    * \param[in] smooth the cubics that edges have to beat; fit uses its first lane
-   * \param[in] noise of the cloud
    */
   CreaseFitter (const OrientedPoints& points,
                 const SurfaceGraph& graph,
-                CubicResiduals& smooth,
-                double noise)
-  : points_ (points), graph_ (graph), smooth_ (smooth), noise_ (noise)
+                CubicResiduals& smooth)
+  : points_ (points), graph_ (graph), smooth_ (smooth)
   {}
 
   [[nodiscard]] index_t
@@ -145,7 +140,9 @@ public:
   }
 
 private:
-  /** The part of that window's residual that is noise for certain, with 20 degrees of
+  /** The window that tells the noise, as a cubic follows most of what else there is. */
+  static constexpr std::size_t NOISE_WINDOW = 30;
+  /** The part of its residual that is noise for certain, with 20 degrees of
    * freedom. */
   static constexpr double CERTAIN_NOISE = 0.4;
   /** What a cubic leaves, without the noise, where two planes leave LARGEST_RATIO. */
@@ -276,11 +273,7 @@ private:
     constexpr double LEAST_CROSSING = 30.0;
     // What is no side of a plane, in spacings.
     constexpr double TOLERANCE = 0.3;
-    // Where noise is everywhere, to be near either of two planes is easy.
-    constexpr double NOISY = 0.35;
-    const bool noisy = noise_ > NOISY;
-    const double largest = noisy ? 0.25 : LARGEST_RESIDUAL;
-    const double most_astray = noisy ? 0.2 : 0.4;
+    constexpr double MOST_ASTRAY = 0.4;
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     std::size_t added = 0;
     for (std::size_t w = 0; w < WINDOWS.size(); ++w) {
@@ -291,7 +284,7 @@ private:
         products += normals_[added] * normals_[added].transpose();
       if (!mayHaveFaces (count, smooth[w]) ||
           !crossing_.fit (
-              positions_, normals_, count, products, TOLERANCE, most_astray))
+              positions_, normals_, count, products, TOLERANCE, MOST_ASTRAY))
         continue;
       const Plane& through = crossing_[0];
       const Plane& ending = crossing_[1];
@@ -299,8 +292,7 @@ private:
           meetingLine (through, ending, LEAST_CROSSING, 180.0 - LEAST_CROSSING);
       const double of_planes =
           crossing_.squaredDistances() / static_cast<double> (count - PLANE_PARAMETERS);
-      if (line &&
-          of_planes <= std::min (largest * largest, largestResidual (count, smooth[w])))
+      if (line && of_planes <= largestResidual (count, smooth[w]))
         return creaseAlong (*line,
                             (through.normal + ending.normal).normalized(),
                             crossing_.convex(),
@@ -366,7 +358,6 @@ private:
   const OrientedPoints& points_;
   const SurfaceGraph& graph_;
   CubicResiduals& smooth_;
-  double noise_;
   index_t sample_ = 0;
   /** squared distances, and points */
   std::vector<std::pair<double, index_t>> neighbors_;
@@ -403,79 +394,13 @@ isWorthATry (const OrientedPoints& points, const SurfaceGraph& graph, index_t sa
   return graph.boundary[sample] != 0;
 }
 
-/** \brief Measures the noise around some samples at a time. */
-class NoiseFinder : public LaneBatch<NoiseFinder> {
-public:
-  NoiseFinder (const OrientedPoints& points, const SurfaceGraph& graph)
-  : fitter_ (points, graph, smooth_, 0.0)
-  {}
-
-  void
-  add (index_t sample, const std::vector<index_t>& found)
-  {
-    fitter_.setNeighbors (sample, found);
-    fitter_.describe (queued_);
-    push();
-  }
-
-  /** \brief What cubics leave of the quarter of windows where it is least, in their
-   * spacings: elsewhere it may be shape.
-   */
-  double
-  quartile ()
-  {
-    if (squares_.empty())
-      return 0.0;
-    const auto quarter =
-        squares_.begin() + static_cast<std::ptrdiff_t> (squares_.size() / 4);
-    std::nth_element (squares_.begin(), quarter, squares_.end());
-    return std::sqrt (*quarter);
-  }
-
-private:
-  friend LaneBatch<NoiseFinder>;
-
-  void
-  run ()
-  {
-    smooth_.fit (CreaseFitter::NOISE_WINDOW);
-    for (int lane = 0; lane < queued_; ++lane)
-      squares_.push_back (smooth_.meanSquare (lane));
-  }
-
-  CubicResiduals smooth_{CREASE_NEIGHBORS};
-  CreaseFitter fitter_;
-  std::vector<double> squares_;
-};
-
-/** \brief The noise of a cloud in spacings, as samples all over it have it. */
-double
-typicalNoise (const OrientedPoints& points,
-              const SurfaceGraph& graph,
-              const NeighborSearch& search)
-{
-  constexpr std::size_t SAMPLES = 512;
-  NoiseFinder noise (points, graph);
-  std::vector<index_t> found;
-  const std::size_t count = std::min (SAMPLES, points.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto sample = static_cast<index_t> (i * points.size() / count);
-    search (sample, found);
-    noise.add (sample, found);
-  }
-  noise.finish();
-  return noise.quartile();
-}
-
 /** \brief Tests some samples at a time. */
 class CreaseFinder : public LaneBatch<CreaseFinder> {
 public:
-  /** \param[in] noise of the cloud, in spacings */
   CreaseFinder (const OrientedPoints& points,
                 const SurfaceGraph& graph,
-                double noise,
                 std::vector<Crease>& creases)
-  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph, smooth_, noise))
+  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph, smooth_))
   {}
 
   /** \brief Tests a sample together with others, at the latest when finish is called.
@@ -516,13 +441,12 @@ testSamples (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
              const std::vector<index_t>& samples,
-             double noise,
              const Workers& workers,
              std::vector<Crease>& creases)
 {
   forEachBlock (
       samples.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CreaseFinder finder (points, graph, noise, creases);
+        CreaseFinder finder (points, graph, creases);
         std::vector<index_t> found;
         for (std::size_t i = first; i < last; ++i) {
           if (!isWorthATry (points, graph, samples[i]))
@@ -576,7 +500,6 @@ findCreases (const OrientedPoints& points,
   std::vector<Crease> creases = makeLarge (points.size(), Crease());
   std::vector<std::uint8_t> tested =
       chooseCentres (points.positions, points.normals, graph, workers);
-  const double noise = typicalNoise (points, graph, search);
   std::vector<index_t> samples;
   for (std::size_t i = 0; i < tested.size(); ++i)
     if (tested[i] != 0)
@@ -585,7 +508,7 @@ findCreases (const OrientedPoints& points,
     // The centres are about half of the work.
     if (workers.progress != nullptr)
       workers.progress->beginPart (std::min (round, 1), 2);
-    testSamples (points, graph, search, samples, noise, workers, creases);
+    testSamples (points, graph, search, samples, workers, creases);
     samples = aroundCreases (graph, samples, creases, tested);
   }
   return creases;

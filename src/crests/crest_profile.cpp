@@ -34,7 +34,7 @@ constexpr double ELONGATION = 4.0;
  * by chance in 3e-4 of the samples, each scale. */
 constexpr double RESOLVING_Z = 4.0;
 /** k1 itself has to be certain, or its direction is not. */
-constexpr double CURVATURE_Z = 6.0;
+constexpr double CURVATURE_Z = 5.0;
 /** And so far at least where a profile is only likely. */
 constexpr double LIKELY_CURVATURE_Z = 3.0;
 /** Less certain than this no coarser scale takes the place of the finest. */

@@ -127,7 +127,8 @@ describe (const SamplingFindings& sampling)
       {"clumps", flawed (SamplingFlaw::CLUMPS)},
       {"depth_steps", flawed (SamplingFlaw::DEPTH_STEPS)},
       {"correlated_noise", flawed (SamplingFlaw::CORRELATED_NOISE)},
-      {"two_scans", flawed (SamplingFlaw::TWO_SCANS)}};
+      {"two_scans", flawed (SamplingFlaw::TWO_SCANS)},
+      {"white_noise", flawed (SamplingFlaw::WHITE_NOISE)}};
   return json;
 }
 

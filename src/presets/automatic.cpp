@@ -5,6 +5,7 @@
 #include "presets/automatic.h"
 
 #include "base/stopwatch.h"
+#include "creases/sharp_lines.h"
 #include "creases/sharp_links.h"
 #include "creases/sharp_profiles.h"
 #include "crests/crest_feet.h"
@@ -207,13 +208,7 @@ public:
     beginStage (progress, "creases", CREASES_FOUND);
     if (!tree)
       tree = treeOver (points.positions, parameters.threads);
-    const NeighborSearch search = batchedSearch (tree, CREASE_NEIGHBORS);
-    shape->sharp_lines =
-        traceCreases (points,
-                      shape->graph,
-                      search,
-                      findCreases (points, shape->graph, search, workers),
-                      workers);
+    shape->sharp_lines = findSharpLines (points, shape->graph, tree, workers);
     watch.stageDone ("creases");
 
     // 4.2: curvature approximation, at the scale where it can be told

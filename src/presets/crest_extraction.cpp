@@ -7,7 +7,10 @@
 #include "presets/analysis_contents.h"
 #include "presets/line_selection.h"
 #include "search/point_view.h"
+#include "surface/flat_places.h"
+#include "surface/surface_nodes.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace pcl {
@@ -103,6 +106,10 @@ checkRequest (const ExtractionRequest& request)
         "has changed");
 }
 
+/** The part of all work, as near as anything tells beforehand, of each of the times
+ * that samples are gathered. */
+constexpr double RESOLVED = 0.05;
+
 /** \brief The nodes that the samples are gathered to where the preset does so, and no
  * search is given, which is over the samples.
  */
@@ -114,8 +121,6 @@ gatherWhereAsked (const ExtractionRequest& request,
 {
   if (!pipeline.gathersSamples() || request.search)
     return {};
-  // Of all work, as near as anything tells beforehand.
-  constexpr double RESOLVED = 0.05;
   progress.beginStage ("sampling", RESOLVED);
   Stopwatch watch (times);
   SampleNodes nodes =
@@ -123,6 +128,43 @@ gatherWhereAsked (const ExtractionRequest& request,
   watch.stageDone ("sampling");
   progress.beginRest();
   return nodes;
+}
+
+/** \brief Whether each sample has nearly as much noise by itself as samples are apart.
+ * Windows of all sheets, which the findings are of, have hardly less of it than those
+ * of one have.
+ */
+bool
+areTooNoisy (const OrientedPoints& points,
+             const SamplingFindings& findings,
+             const Workers& workers)
+{
+  constexpr double TOO_NOISY = 0.6;
+  constexpr double HARDLY_LESS = 0.7;
+  constexpr int NEIGHBORS = 48;
+  return findings.spacing > 0.0 &&
+         findings.noise.front() > HARDLY_LESS * TOO_NOISY * findings.spacing &&
+         typicalNoise (points,
+                       batchedSearch (treeOver (points.positions, workers.threads),
+                                      NEIGHBORS)) > TOO_NOISY;
+}
+
+/** \brief Gathers samples that have too much noise to nodes of the surface.
+ * \param[in,out] points get the nodes
+ * \param[in,out] findings get what was gathered
+ */
+void
+gatherNoisy (const Workers& workers, OrientedPoints& points, SamplingFindings& findings)
+{
+  // Less costs detail.
+  constexpr double NOISE_OF_NODES = 0.4;
+  findings.gathered = points.size();
+  points = nodesOfCloud (points, gatherOnSurface (points, NOISE_OF_NODES, workers));
+  findings.nodes = points.size();
+  findings.resolving_spacing =
+      findings.spacing * std::sqrt (static_cast<double> (findings.gathered) /
+                                    static_cast<double> (findings.nodes));
+  findings.flaws[static_cast<std::size_t> (SamplingFlaw::WHITE_NOISE)] = 1;
 }
 
 /** \brief The normals of a cloud that has none. */
@@ -267,6 +309,14 @@ extractCrests (const ExtractionRequest& request)
         nodes.isEmpty() ? packOrientedPoints (cloud, parameters.threads)
                         : packNodes (cloud, nodes, parameters.threads));
     watch.stageDone ("packing");
+    if (nodes.isEmpty() &&
+        areTooNoisy (*own_points, nodes.findings, parameters.threads)) {
+      progress.beginStage ("sampling", RESOLVED);
+      gatherNoisy (
+          {parameters.threads, &progress}, *own_points, result.statistics.sampling);
+      watch.stageDone ("sampling");
+      progress.beginRest();
+    }
     NeighborSource neighbors = neighborSource (request, *points, watch, progress);
     shape = own_shape =
         pipeline.analyzeSurface (*points, std::move (neighbors), parameters, &progress);

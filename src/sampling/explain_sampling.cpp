@@ -22,6 +22,8 @@ nameOf (SamplingFlaw flaw)
     return "neighbours share their noise";
   case SamplingFlaw::TWO_SCANS:
     return "two scans do not meet";
+  case SamplingFlaw::WHITE_NOISE:
+    return "noise is nearly as large as spacings";
   case SamplingFlaw::NONE:
     break;
   }

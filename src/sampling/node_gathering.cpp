@@ -15,8 +15,15 @@ GatheredSamples
 gatherSamples (const PointTree& tree,
                const std::vector<Eigen::Vector3f>& positions,
                const std::vector<float>& spacings,
-               const Workers& workers)
+               const Workers& workers,
+               const std::vector<Eigen::Vector3f>* normals)
 {
+  constexpr float ONE_SHEET = 0.5F;
+  const auto mayJoin = [&] (index_t sample, index_t middle) {
+    return spacings[sample] > 0.0F &&
+           (normals == nullptr ||
+            (*normals)[sample].dot ((*normals)[middle]) > ONE_SHEET);
+  };
   const std::size_t size = positions.size();
   std::vector<index_t> order (size);
   std::iota (order.begin(), order.end(), 0);
@@ -39,7 +46,7 @@ gatherSamples (const PointTree& tree,
     findWithin (tree, positions[i].data(), spacings[i], found);
     for (const std::int32_t j : found) {
       const float squared = (positions[j] - positions[i]).squaredNorm();
-      if (spacings[j] > 0.0F && squared < nearest[j] && centre[j] != j) {
+      if (squared < nearest[j] && centre[j] != j && mayJoin (j, i)) {
         nearest[j] = squared;
         centre[j] = i;
       }

@@ -26,12 +26,16 @@ struct GatheredSamples {
  * \param[in] positions along a curve, which the result depends on
  * \param[in] spacings of each sample how far apart nodes are there; 0 where it is a
  * node by itself
+ *
+ * \param[in] normals if not null, those of the samples: what is gathered to a centre is
+ * within 60 degrees of its own
  */
 GatheredSamples
 gatherSamples (const PointTree& tree,
                const std::vector<Eigen::Vector3f>& positions,
                const std::vector<float>& spacings,
-               const Workers& workers);
+               const Workers& workers,
+               const std::vector<Eigen::Vector3f>* normals = nullptr);
 
 } // namespace crest
 } // namespace pcl
