@@ -124,9 +124,7 @@ public:
     lines.edges = edges_;
     for (const CrestType type : CREST_TYPES) {
       std::vector<CrestEdge>& edges = lines.edges[type];
-      std::sort (edges.begin(), edges.end(), [] (const auto& e, const auto& f) {
-        return std::tie (e.a, e.b) < std::tie (f.a, f.b);
-      });
+      std::sort (edges.begin(), edges.end(), comesFirst);
       // Two ends can be joined more than once.
       edges.erase (std::unique (edges.begin(),
                                 edges.end(),

@@ -26,11 +26,7 @@ onSamples (const OrientedPoints& nodes, SharpLines lines)
     for (CrestEdge& edge : lines.edges[type])
       std::tie (edge.a, edge.b) =
           std::minmax (nodes.cloud_index[edge.a], nodes.cloud_index[edge.b]);
-    std::sort (lines.edges[type].begin(),
-               lines.edges[type].end(),
-               [] (const CrestEdge& e, const CrestEdge& f) {
-                 return std::tie (e.a, e.b) < std::tie (f.a, f.b);
-               });
+    std::sort (lines.edges[type].begin(), lines.edges[type].end(), comesFirst);
   }
   std::vector<std::uint8_t> blocked;
   blocked.reserve (nodes.packed_index.size());

@@ -4,6 +4,8 @@
 
 #include "lines/region_growing.h"
 
+#include <tuple>
+
 namespace pcl {
 namespace crest {
 
@@ -21,6 +23,13 @@ struct CrestEdge {
   /** the first tie break among edges of one type, in the cloud's unit */
   float length;
 };
+
+/** \brief An order by the ends alone. */
+inline bool
+comesFirst (const CrestEdge& e, const CrestEdge& f)
+{
+  return std::tie (e.a, e.b) < std::tie (f.a, f.b);
+}
 
 /** \brief The edges of the crest graphs: those between two members, a < b. */
 std::vector<CrestEdge>

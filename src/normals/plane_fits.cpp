@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "search/leaf_search.h"
 
 #include <array>
@@ -390,11 +391,9 @@ limitReach (const PointTree& tree, PlaneFits& fits)
     const std::size_t last = std::min (first + MEMBERS, fits.size());
     reaches.assign (fits.reach.begin() + static_cast<std::ptrdiff_t> (first),
                     fits.reach.begin() + static_cast<std::ptrdiff_t> (last));
-    const auto quartile =
-        reaches.begin() + static_cast<std::ptrdiff_t> (reaches.size() / 4);
-    std::nth_element (reaches.begin(), quartile, reaches.end());
+    const float quartile = quantile (reaches, 25);
     for (std::size_t place = first; place < last; ++place) {
-      if (fits.reach[place] <= MOST_UNEVEN * *quartile)
+      if (fits.reach[place] <= MOST_UNEVEN * quartile)
         continue;
       const LeafNeighbors& found =
           search.searchPoint (static_cast<std::int32_t> (place));

@@ -2,6 +2,7 @@
 #include "normals/sample_spacing.h"
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "search/leaf_search.h"
 #include "search/position_tree.h"
 
@@ -37,14 +38,8 @@ unevenness (const std::vector<Eigen::Vector3f>& points, const Workers& workers)
                         std::log (found.squared_distances[found.offsets[1] - 1]) / 2.0;
                   }
                 });
-  const auto percentile = [&distances] (std::size_t percent) {
-    const auto at = distances.begin() +
-                    static_cast<std::ptrdiff_t> (distances.size() * percent / 100);
-    std::nth_element (distances.begin(), at, distances.end());
-    return *at;
-  };
-  const double low = percentile (16);
-  return std::isfinite (low) ? (percentile (84) - low) / 2.0
+  const double low = quantile (distances, 16);
+  return std::isfinite (low) ? (quantile (distances, 84) - low) / 2.0
                              : std::numeric_limits<double>::infinity();
 }
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,9 +29,7 @@ medianOver (const std::vector<const SampleWindow*>& windows, const Value& value)
   std::vector<double> values;
   for (const SampleWindow* window : windows)
     values.push_back (value (*window));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  return quantile (values, 50);
 }
 
 /** \brief Whether the patches without noise are the depth steps of one sensor: parallel

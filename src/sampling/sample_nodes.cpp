@@ -2,6 +2,7 @@
 #include "sampling/sample_nodes.h"
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "sampling/node_gathering.h"
 #include "sampling/resolving_spacing.h"
 #include "search/distinct_points.h"
@@ -125,23 +126,18 @@ summarize (std::vector<SampleWindow> windows, double unit)
   SamplingFindings findings;
   if (windows.empty())
     return findings;
-  constexpr std::size_t QUARTER = 4;
-  constexpr std::size_t HALF = 2;
-  const auto least = [&windows] (std::size_t part, const auto& value) {
+  const auto ofAll = [&windows] (std::size_t percent, const auto& value) {
     std::vector<double> values;
     for (const SampleWindow& window : windows)
       values.push_back (value (window));
-    const auto at = values.begin() + static_cast<std::ptrdiff_t> (values.size() / part);
-    std::nth_element (values.begin(), at, values.end());
-    return *at;
+    return quantile (values, percent);
   };
   findings.spacing =
-      unit * least (HALF, [] (const SampleWindow& w) { return w.empty_spacing; });
-  findings.anisotropy =
-      least (HALF, [] (const SampleWindow& w) { return w.anisotropy; });
+      unit * ofAll (50, [] (const SampleWindow& w) { return w.empty_spacing; });
+  findings.anisotropy = ofAll (50, [] (const SampleWindow& w) { return w.anisotropy; });
   for (std::size_t i = 0; i < WINDOW_SIZES.size(); ++i)
     findings.noise[i] =
-        unit * least (QUARTER, [i] (const SampleWindow& w) { return w.noise[i]; });
+        unit * ofAll (25, [i] (const SampleWindow& w) { return w.noise[i]; });
   return findings;
 }
 
@@ -157,10 +153,7 @@ describe (const ResolvingSpacing& wanted,
       ++findings.flaws[static_cast<std::size_t> (flaw)];
   spacings.erase (std::remove (spacings.begin(), spacings.end(), 0.0F), spacings.end());
   findings.gathered = spacings.size();
-  const auto middle =
-      spacings.begin() + static_cast<std::ptrdiff_t> (spacings.size() / 2);
-  std::nth_element (spacings.begin(), middle, spacings.end());
-  findings.resolving_spacing = *middle / scale;
+  findings.resolving_spacing = quantile (spacings, 50) / scale;
 }
 
 /** \brief The points of a cloud that are finite and not far from all others, by the
@@ -182,14 +175,8 @@ withoutStrays (const PointView& cloud)
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < points.size(); ++i)
       values[i] = cloud.positionOf (static_cast<std::size_t> (points[i]))[axis];
-    const auto percentile = [&values] (std::size_t percent) {
-      const auto at =
-          values.begin() + static_cast<std::ptrdiff_t> (values.size() * percent / 100);
-      std::nth_element (values.begin(), at, values.end());
-      return static_cast<double> (*at);
-    };
-    low[axis] = percentile (25);
-    high[axis] = percentile (75);
+    low[axis] = static_cast<double> (quantile (values, 25));
+    high[axis] = static_cast<double> (quantile (values, 75));
   }
   const double reach = FAR * (high - low).maxCoeff();
   if (!(reach > 0.0))

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "search/position_tree.h"
 #include "surface/neighbor_search.h"
 
@@ -137,15 +138,11 @@ private:
   std::vector<std::pair<double, index_t>> near_;
 };
 
-/** \brief The value that a quarter of all are less than; 0 of none. */
+/** \brief The first quartile; 0 of none. */
 double
 firstQuartile (std::vector<double> values)
 {
-  if (values.empty())
-    return 0.0;
-  const auto quarter = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 4);
-  std::nth_element (values.begin(), quarter, values.end());
-  return *quarter;
+  return values.empty() ? 0.0 : quantile (values, 25);
 }
 
 /** \brief One round: windows hold what is near by the places of the one before. */
@@ -155,9 +152,9 @@ flattenOnce (const OrientedPoints& points,
              const Workers& workers,
              FlatPlaces& places)
 {
-  const FlatPlaces before = places;
-  const std::shared_ptr<const PointTree> tree =
-      treeOver (before.positions, workers.threads);
+  const std::vector<Eigen::Vector3f> positions = places.positions;
+  const std::vector<Eigen::Vector3f> normals = places.normals;
+  const std::shared_ptr<const PointTree> tree = treeOver (positions, workers.threads);
   const auto flatten = [&places] (index_t sample, const FootFitter& fitter) {
     WindowFit fit;
     for (const int window : WINDOWS) {
@@ -173,7 +170,7 @@ flattenOnce (const OrientedPoints& points,
   };
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        FootFitter fitter (points, before.positions, before.normals, least_cosine);
+        FootFitter fitter (points, positions, normals, least_cosine);
         visitLeaves (*tree,
                      WINDOWS.back(),
                      first,
