@@ -104,6 +104,7 @@ thin (const OrientedPoints& points, const std::vector<CreaseNode>& nodes)
   constexpr double LEAST_STEP = 0.8;
   constexpr double FARTHEST_ACROSS = 1.5;
   constexpr double LEAST_COSINE = 0.7;
+  constexpr double SAME_EDGE = 0.5;
 
   const auto rank = [&] (std::size_t i) {
     const Eigen::Vector3d e =
@@ -126,6 +127,7 @@ thin (const OrientedPoints& points, const std::vector<CreaseNode>& nodes)
       const Way way = wayTo (own, nodes[j].foot);
       return kept[j] != 0 && nodes[j].type == own.type &&
              std::abs (own.direction.dot (nodes[j].direction)) > LEAST_COSINE &&
+             own.normal.dot (nodes[j].normal) > SAME_EDGE &&
              std::abs (way.along) < LEAST_STEP * own.spacing &&
              way.across < FARTHEST_ACROSS * own.spacing;
     });

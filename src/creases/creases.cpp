@@ -4,6 +4,7 @@
 #include "base/large_arrays.h"
 #include "base/parallel.h"
 #include "creases/crossing_planes.h"
+#include "creases/plate_rim.h"
 #include "creases/two_planes.h"
 #include "curvature/cubic_residuals.h"
 #include "curvature/pyramid.h"
@@ -77,6 +78,7 @@ public:
     const double scale = 1.0 / graph_.spacing[sample];
     const Eigen::Vector3f& n = points_.normals[sample];
     sample_ = sample;
+    nearest_ = found;
     neighbors_.clear();
     for (const index_t q : found)
       if (n.dot (points_.normals[q]) > OTHER_SIDE)
@@ -136,7 +138,9 @@ public:
       if (mayHaveFaces (count, smooth[w]))
         fitWindow (count, smooth[w], normals, best);
     }
-    return best.type != CrestType::NONE ? best : fitCrossing (smooth);
+    if (best.type == CrestType::NONE)
+      best = fitCrossing (smooth);
+    return best.type != CrestType::NONE ? best : fitRim();
   }
 
 private:
@@ -303,6 +307,35 @@ private:
     return {};
   }
 
+  /** \brief The crease along the rim of a thin plate. */
+  Crease
+  fitRim ()
+  {
+    // Of both sheets.
+    constexpr std::size_t RIM_NEIGHBORS = 48;
+    const std::size_t count = std::min (RIM_NEIGHBORS, nearest_.size());
+    const double scale = 1.0 / graph_.spacing[sample_];
+    positions_.resize (count);
+    normals_.resize (count);
+    for (std::size_t i = 0; i < count; ++i) {
+      positions_.set (i, scale * points_.edge (sample_, nearest_[i]));
+      normals_.set (i, points_.normals[nearest_[i]].cast<double>());
+    }
+    const auto rim = fitPlateRim (positions_,
+                                  normals_,
+                                  points_.normals[sample_].cast<double>(),
+                                  LARGEST_RESIDUAL * LARGEST_RESIDUAL);
+    if (!rim)
+      return {};
+    constexpr double RIGHT_ANGLE = 90.0;
+    return creaseAlong ({RIGHT_ANGLE, rim->direction, rim->foot},
+                        rim->normal,
+                        true,
+                        count,
+                        rim->of_sheets,
+                        rim->of_one_plane);
+  }
+
   /** \brief Whether a cubic leaves enough of a window to look for faces. In the frame
    * of the edge it will be a little different. No faces leave less than what is noise
    * for certain.
@@ -359,7 +392,8 @@ private:
   const SurfaceGraph& graph_;
   CubicResiduals& smooth_;
   index_t sample_ = 0;
-  /** squared distances, and points */
+  /** what was found, and squared distances and points of those that are no far side */
+  std::vector<index_t> nearest_;
   std::vector<std::pair<double, index_t>> neighbors_;
   Coordinates positions_;
   Coordinates normals_;

@@ -7,6 +7,7 @@
 #include "search/position_tree.h"
 #include "support/noisy_cloud.h"
 #include "support/sharp_solids.h"
+#include "support/solid_clouds.h"
 #include "support/surface_stages.h"
 
 #include <algorithm>
@@ -225,3 +226,64 @@ INSTANTIATE_TEST_SUITE_P (Exact,
                           TouchingSheets,
                           testing::Combine (testing::Values (-1.0, 1.0),
                                             testing::Values (0.0, 0.5, 1.0)));
+
+class ThinPlates : public testing::TestWithParam<std::tuple<const char*, double>> {};
+
+TEST_P (ThinPlates, HaveTheEdgesOfBothSheets)
+{
+  const auto [name, noise] = GetParam();
+  const auto& solids = oracle::namedSolids();
+  const auto solid =
+      std::find_if (solids.begin(), solids.end(), [name = name] (const auto& s) {
+        return s.name == name;
+      });
+  ASSERT_NE (solid, solids.end());
+  const oracle::SolidCloud plate = solid->sample (1);
+  const double h = plate.spacing;
+  const oracle::SurfaceStages stages =
+      oracle::surfaceStages (*oracle::addNoise (*plate.cloud, noise * h));
+  const SharpLines lines = findSharpLines (
+      stages.points, stages.graph, treeOver (stages.points.positions, 0), 0);
+  const auto distance = [] (const oracle::SharpEdge& edge, const Eigen::Vector3d& p) {
+    const Eigen::Vector3d e = edge.b - edge.a;
+    const double s = std::clamp ((p - edge.a).dot (e) / e.squaredNorm(), 0.0, 1.0);
+    return (p - edge.a - s * e).norm();
+  };
+  for (const SharpNode& node : lines.nodes) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const oracle::SharpEdge& edge : plate.edges)
+      nearest = std::min (nearest, distance (edge, node.crease.foot.cast<double>()));
+    // Samples at a corner see two edges, and take one between.
+    EXPECT_LT (nearest, 1.2 * h);
+    EXPECT_EQ (node.crease.type, CrestType::RIDGE);
+  }
+  // Nodes are less than three spacings apart along an edge.
+  int places = 0;
+  int missed = 0;
+  for (const oracle::SharpEdge& edge : plate.edges) {
+    const double length = (edge.b - edge.a).norm();
+    // Those of its corners are no longer than it is thick.
+    if (length < 5.0 * h)
+      continue;
+    for (double s = 0.5 * h; s < length; s += h) {
+      const Eigen::Vector3d place = edge.a + s / length * (edge.b - edge.a);
+      ++places;
+      missed += std::none_of (
+                    lines.nodes.begin(),
+                    lines.nodes.end(),
+                    [&] (const SharpNode& node) {
+                      return (node.crease.foot.cast<double>() - place).norm() < 1.5 * h;
+                    })
+                    ? 1
+                    : 0;
+    }
+  }
+  EXPECT_LT (missed, 0.03 * places);
+}
+
+INSTANTIATE_TEST_SUITE_P (Rims,
+                          ThinPlates,
+                          testing::Combine (testing::Values ("plate of 1 h",
+                                                             "plate of 1.5 h",
+                                                             "plate of 2 h"),
+                                            testing::Values (0.0, 0.05)));
