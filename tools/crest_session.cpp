@@ -11,8 +11,7 @@ CrestSession::CrestSession (InputCloud cloud,
                             const ProgressCallback& progress)
 : cloud_ (std::move (cloud))
 {
-  estimation_.setInputCloud (cloud_.points);
-  estimation_.setSignTrust (trustOf (cloud_));
+  setInput (cloud_, estimation_);
   estimation_.setKeepAnalysis (true);
   estimation_.setProgressCallback (progress);
   setThresholds (parameters);

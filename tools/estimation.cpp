@@ -18,8 +18,7 @@ estimate (const std::string& file,
   if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error, normals))
     return EXIT_FILE;
   tell (result.cloud);
-  result.estimation.setInputCloud (result.cloud.points);
-  result.estimation.setSignTrust (trustOf (result.cloud));
+  setInput (result.cloud, result.estimation);
   result.estimation.setParameters (parameters);
   result.estimation.setProgressCallback (progress);
   bool enough_memory = true;

@@ -19,14 +19,18 @@ struct Estimate {
   pcl::PointCloud<pcl::Label> labels;
 };
 
-/** \brief How sure the signs of a cloud's normals are, as CrestLineEstimation takes it.
- */
-inline std::shared_ptr<const std::vector<float>>
-trustOf (const InputCloud& cloud)
+/** \brief Gives an estimation a cloud, and all that is known of its normals. */
+inline void
+setInput (const InputCloud& cloud,
+          pcl::CrestLineEstimation<pcl::PointNormal>& estimation)
 {
-  if (!cloud.estimate)
-    return nullptr;
-  return {cloud.estimate, &cloud.estimate->trust};
+  estimation.setInputCloud (cloud.points);
+  if (cloud.estimate)
+    estimation.setSignTrust ({cloud.estimate, &cloud.estimate->trust});
+  if (const auto& viewpoint = cloud.options.viewpoint)
+    estimation.setViewPoint (viewpoint->x(), viewpoint->y(), viewpoint->z());
+  if (const auto& up = cloud.options.up)
+    estimation.setUpDirection (up->x(), up->y(), up->z());
 }
 
 /** \brief Reads a file and computes its labels and lines.

@@ -310,8 +310,8 @@ public:
   }
 
   /** \brief Set where the cloud was seen from, in its unit, for the side of normals
-   * that compute estimates: sensor_origin_ of the surface by default, as
-   * OrientedNormalEstimation has it.
+   * that compute estimates, and of given ones that are divided about it: sensor_origin_
+   * of the surface by default, as OrientedNormalEstimation has it.
    */
   void
   setViewPoint (float x, float y, float z)
@@ -319,8 +319,16 @@ public:
     viewpoint_ = Eigen::Vector3f (x, y, z);
   }
 
+  /** \brief Undo setViewPoint: the viewpoint is sensor_origin_ of the surface. */
+  void
+  useSensorOriginAsViewPoint ()
+  {
+    viewpoint_.reset();
+  }
+
   /** \brief Set the side of open parts that no viewpoint decides, for normals that
-   * compute estimates; +z by default, which is a guess.
+   * compute estimates, and of given ones that are divided about it; +z by default,
+   * which is a guess.
    */
   void
   setUpDirection (float x, float y, float z)

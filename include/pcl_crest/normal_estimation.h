@@ -27,11 +27,13 @@ struct NormalHints {
   /** where the cloud was seen from, in its unit */
   std::optional<Eigen::Vector3f> viewpoint;
   /** whether that is only the origin of a cloud which may say nothing of a sensor: then
-   * what is closed around it is a model, while from a viewpoint that somebody set it is
-   * a room; and it tells nothing of samples that are spaced as on a map */
+   * it decides nothing that up does, nor of samples that are spaced as on a map; what
+   * is closed around it is a model, while from a viewpoint that somebody set it is a
+   * room; and where samples are not spaced as an image of a sensor there, it is a guess
+   */
   bool viewpoint_assumed = false;
-  /** whether the cloud is an image that a sensor took there: then all was seen from
-   * there, and nothing from behind */
+  /** whether the cloud has rows and columns: then all was seen from the viewpoint, and
+   * nothing from behind, unless it is assumed and samples are the grid of a map */
   bool organized = false;
   /** the side of open parts that no viewpoint decides, of any length but zero; +z if
    * there is none, which is a guess (see NormalPart::trust) */
@@ -97,10 +99,17 @@ struct NormalEstimate {
         ++unsure;
     return unsure;
   }
+
+  /** \brief Whether a viewpoint or a direction up would tell what is not known. */
+  bool
+  canBeTold () const
+  {
+    return countUnsure() != 0 && !(single_view && parts.front().trust >= SURE_SIGN);
+  }
 };
 
 /** \brief What of the signs is not to be trusted, in words for the user; empty if all
- * is.
+ * is but for a thousandth that belongs to no part of its own.
  */
 PCL_CREST_EXPORT std::string
 explainDoubt (const NormalEstimate& estimate);
@@ -121,6 +130,12 @@ struct NormalFindings {
   std::size_t doubtful = 0;
   /** of parts whose normals were so divided that their side is a guess */
   std::size_t guessed = 0;
+  /** that stood across the surface, as no normals do but numbers of another meaning,
+   * and with which all were estimated; 0 where fewer than a third do */
+  std::size_t across = 0;
+  /** of a cloud whose normals look, on the whole, to its middle from all around: right
+   * for a room, the wrong side of a body */
+  std::size_t inward = 0;
 };
 
 /** \brief The normals that a cloud came with, checked. */

@@ -13,8 +13,8 @@ namespace pcl {
 
 /** \brief OrientedNormalEstimation estimates the normals of a cloud, as
  * NormalEstimation does, and turns them to one side of the surface (see
- * crest::estimateNormals): outward of closed surfaces, else toward the viewpoint, else
- * up.
+ * crest::estimateNormals): toward the viewpoint where all was seen from there, else
+ * outward of closed surfaces, toward the viewpoint of open ones, or up.
  *
  * \code
  * pcl::OrientedNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
@@ -30,9 +30,9 @@ namespace pcl {
  * that surface.
  *
  * As of NormalEstimation the normals of points that are not finite, or whose neighbours
- * span no plane, are NaN, and is_dense of the output is then false. Unlike there a
- * viewpoint is not taken from the cloud, whose sensor origin is most often not set,
- * unless useSensorOriginAsViewPoint asks for it.
+ * span no plane, are NaN, and is_dense of the output is then false. As there the
+ * viewpoint is sensor_origin_ of the cloud unless one is set; but at the origin, where
+ * most clouds have it that say nothing of a sensor, it is no more than a guess.
  *
  * Mistakes are reported with PCL_ERROR and leave the output empty. Where memory does
  * not suffice it is left empty, too, and std::bad_alloc is thrown.
@@ -71,10 +71,9 @@ public:
     viewpoint_ = Eigen::Vector3f (x, y, z);
   }
 
-  /** \brief Take sensor_origin_ of the surface, the input cloud unless setSearchSurface
-   * is used, for the viewpoint, as pcl::NormalEstimation does and this unless
-   * setViewPoint is called. At the origin, where it is of clouds that say nothing of a
-   * sensor, it is one that is assumed (see crest::NormalHints).
+  /** \brief Undo setViewPoint: the viewpoint is sensor_origin_ of the surface, which is
+   * the input cloud unless setSearchSurface is used. At the origin it is one that is
+   * assumed (see crest::NormalHints).
    */
   void
   useSensorOriginAsViewPoint ()

@@ -110,30 +110,39 @@ countUsableNormals (const pcl::PointCloud<pcl::PointNormal>& points)
 }
 
 std::string
-describe (const NormalEstimate& estimate, std::size_t k, bool has_viewpoint)
+describe (const NormalEstimate& estimate, std::size_t k, const NormalHints& hints)
 {
   if (estimate.parts.empty())
     return "Normals could not be estimated: no three points span a plane.";
   std::string note =
       "Normals were estimated from " + std::to_string (k) + " neighbours";
-  if (estimate.single_view)
-    return note + (has_viewpoint
-                       ? " and turned toward the viewpoint, which all points are seen "
-                         "from."
-                       : " and turned toward the origin, which all points are seen "
-                         "from, spaced as those of a sensor there.");
+  if (estimate.single_view) {
+    const bool is_sure = estimate.parts.front().trust >= SURE_SIGN;
+    return note + (!hints.viewpoint
+                       ? " and turned toward the origin, which all points are seen "
+                         "from, spaced as those of a sensor there."
+                   : is_sure
+                       ? " and turned toward the viewpoint, which all points are "
+                         "seen from."
+                       : " and turned toward the viewpoint 0 0 0, as a guess: it may "
+                         "be no more than the default of the file.");
+  }
   note += " and made consistent over each connected part.";
-  const auto add = [&] (NormalSide side, const char* where) {
+  const auto add = [&] (NormalSide side, bool is_sure, const char* where) {
     const auto parts = std::count_if (
-        estimate.parts.begin(), estimate.parts.end(), [side] (const NormalPart& part) {
-          return part.side == side && part.points >= LEAST_PART;
+        estimate.parts.begin(), estimate.parts.end(), [&] (const NormalPart& part) {
+          return part.side == side && part.points >= LEAST_PART &&
+                 (part.trust >= SURE_SIGN) == is_sure;
         });
     if (parts != 0)
-      note += " " + std::to_string (parts) + (parts == 1 ? " part" : " parts") + where;
+      note += " " + std::to_string (parts) + (parts == 1 ? " part " : " parts ") +
+              where + (is_sure ? "." : ", as a guess.");
   };
-  add (NormalSide::OUTWARD, " closed: outward.");
-  add (NormalSide::VIEWPOINT, " open: mostly toward the viewpoint.");
-  add (NormalSide::UP, " open: upward (-up).");
+  for (const bool is_sure : {true, false}) {
+    add (NormalSide::OUTWARD, is_sure, "closed: outward");
+    add (NormalSide::VIEWPOINT, is_sure, "open: mostly toward the viewpoint");
+    add (NormalSide::UP, is_sure, "open: upward (-up)");
+  }
   return note;
 }
 
@@ -218,8 +227,8 @@ provideNormals (FileContent& content,
   request.threads = threads;
   estimate = std::make_shared<const NormalEstimate> (estimateNormals (request));
   setNormals (estimate->normals, *content.points);
-  content.notes.push_back (describe (
-      *estimate, std::min<std::size_t> (k, size), request.hints.viewpoint.has_value()));
+  content.notes.push_back (
+      describe (*estimate, std::min<std::size_t> (k, size), request.hints));
   const auto is_seen = [] (const NormalPart& part) {
     return part.side == NormalSide::VIEWPOINT;
   };
@@ -229,10 +238,10 @@ provideNormals (FileContent& content,
                                 "surface faces it as looks away.");
   const std::string doubt = explainDoubt (*estimate);
   if (!doubt.empty())
-    content.notes.push_back (doubt + (estimate->single_view
-                                          ? "."
-                                          : ". A viewpoint tells it (-viewpoint), or a "
-                                            "direction up (-up)."));
+    content.notes.push_back (doubt + (estimate->canBeTold()
+                                          ? ". A viewpoint tells it (-viewpoint), or a "
+                                            "direction up (-up)."
+                                          : "."));
   return NormalSource::ESTIMATED;
 }
 
@@ -292,9 +301,12 @@ readCloud (const std::string& file,
     std::shared_ptr<const NormalEstimate> estimate;
     const NormalSource source = provideNormals (content, k, threads, options, estimate);
     if (source != NormalSource::ESTIMATED && (options.viewpoint || options.up))
-      content.notes.emplace_back (
-          "The viewpoint and the direction up are not used, as the normals are those "
-          "of the file: they are for estimated ones (-estimate_normals).");
+      content.notes.push_back (
+          std::string (!options.up         ? "The viewpoint counts"
+                       : options.viewpoint ? "The viewpoint and the direction up count"
+                                           : "The direction up counts") +
+          " only where the normals of the " + nameOf (source) +
+          " are divided about their side: -estimate_normals takes none of these.");
     content.points->is_dense =
         std::all_of (content.points->begin(),
                      content.points->end(),

@@ -106,7 +106,9 @@ describe (const NormalFindings& findings)
           {"filled", findings.filled},
           {"turned", findings.turned},
           {"doubtful", findings.doubtful},
-          {"guessed", findings.guessed}};
+          {"guessed", findings.guessed},
+          {"across", findings.across},
+          {"inward", findings.inward}};
 }
 
 /** \brief How the points were sampled, lengths in the unit of the file. */

@@ -21,7 +21,7 @@ constexpr std::size_t PIECE = 256;
 
 /** \brief Samples joined over sure votes, a few to a node, in whose sign they agree.
  */
-struct SampleNodes {
+struct VotingNodes {
   /** of each sample its node, and whether its sign is opposite to that one's */
   std::vector<index_t> of_sample;
   std::vector<std::uint8_t> turned;
@@ -29,7 +29,7 @@ struct SampleNodes {
   std::vector<std::size_t> sizes;
 };
 
-SampleNodes
+VotingNodes
 joinSamples (const std::vector<SignVote>& votes, std::size_t samples)
 {
   constexpr float SURE = 0.9F;
@@ -55,7 +55,7 @@ joinSamples (const std::vector<SignVote>& votes, std::size_t samples)
       sets.unite (vote.a, vote.b, vote.agreement < 0.0F);
     }
 
-  SampleNodes nodes;
+  VotingNodes nodes;
   nodes.of_sample.assign (samples, -1);
   nodes.turned.assign (samples, 0);
   for (std::size_t i = 0; i < samples; ++i) {
@@ -79,7 +79,7 @@ struct Parts {
 };
 
 Parts
-connect (const std::vector<SignVote>& votes, const SampleNodes& nodes)
+connect (const std::vector<SignVote>& votes, const VotingNodes& nodes)
 {
   SignedSets sets (nodes.sizes.size());
   for (const SignVote& vote : votes)
@@ -97,7 +97,7 @@ connect (const std::vector<SignVote>& votes, const SampleNodes& nodes)
 
 void
 addVotes (const std::vector<SignVote>& votes,
-          const SampleNodes& nodes,
+          const VotingNodes& nodes,
           SignedContraction& graph)
 {
   for (const SignVote& vote : votes) {
@@ -134,7 +134,7 @@ struct RayTest {
 /** \brief Asks rays about clusters of nodes. */
 class RayTester {
 public:
-  RayTester (const PlaneFits& fits, const SampleNodes& nodes, const Workers& workers)
+  RayTester (const PlaneFits& fits, const VotingNodes& nodes, const Workers& workers)
   : rays_ (fits), nodes_ (nodes), workers_ (workers)
   {}
 
@@ -224,7 +224,7 @@ private:
   }
 
   RayParity rays_;
-  const SampleNodes& nodes_;
+  const VotingNodes& nodes_;
   Workers workers_;
 };
 
@@ -281,7 +281,7 @@ struct RayVotes {
  */
 class Clusters {
 public:
-  Clusters (const std::vector<SignVote>& votes, const SampleNodes& nodes)
+  Clusters (const std::vector<SignVote>& votes, const VotingNodes& nodes)
   {
     // Of votes along a border, how far they have to agree, and how many that takes.
     constexpr float AGREED = 0.9F;
@@ -347,7 +347,7 @@ struct NodeSigns {
 /** \brief Joins all clusters of each part by votes and rays. */
 NodeSigns
 joinClusters (const std::vector<SignVote>& votes,
-              const SampleNodes& nodes,
+              const VotingNodes& nodes,
               const Parts& parts,
               const Clusters& clusters,
               const RayVotes& rays)
@@ -431,7 +431,7 @@ findConsistentSigns (const std::vector<SignVote>& votes,
                      const Workers& workers)
 {
   const std::size_t samples = fits.size();
-  const SampleNodes nodes = joinSamples (votes, samples);
+  const VotingNodes nodes = joinSamples (votes, samples);
   const Parts parts = connect (votes, nodes);
   Clusters clusters (votes, nodes);
   RayVotes rays;

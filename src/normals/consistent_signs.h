@@ -30,12 +30,24 @@ struct ConsistentSigns {
  * size (see SignedContraction). What the last borders, across sharp edges and noise,
  * leave open is decided together with rays, which tell where the inside of a closed
  * part is (see RayParity): these vote for what a node called outside thinks.
+ *
  * \param[in] votes of all neighbours
  */
 ConsistentSigns
 findConsistentSigns (const std::vector<SignVote>& votes,
                      const PlaneFits& fits,
                      const Workers& workers);
+
+/** \brief Turns the normals of windows that have to be. */
+inline void
+turnBy (const ConsistentSigns& signs, PlaneFits& fits)
+{
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (signs.turned[i] != 0) {
+      fits.normals[i] = -fits.normals[i];
+      fits.middles[i] = -fits.middles[i];
+    }
+}
 
 } // namespace crest
 } // namespace pcl

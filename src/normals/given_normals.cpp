@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/given_normals.h"
 
+#include <Eigen/Geometry>
+
 #include "base/parallel.h"
 #include "normals/consistent_signs.h"
 #include "normals/part_sides.h"
@@ -12,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace pcl {
 namespace crest {
@@ -47,31 +51,109 @@ axesOf (const PointView& cloud, const DistinctPoints& distinct)
   return axes;
 }
 
-/** \brief Whether more than a few normals contradict that of the next sample along the
- * curve. A patch that is turned over has a border, which grows with the root of the
- * number of samples.
+/** \brief How many normals contradict that of the next sample along a curve.
+ *
+ * \param[in] order the samples along it
  */
-bool
-seemContradictory (const DistinctPoints& distinct,
-                   const std::vector<Eigen::Vector3f>& axes)
+std::size_t
+countContradictions (const DistinctPoints& distinct,
+                     const std::vector<Eigen::Vector3f>& axes,
+                     const std::vector<index_t>& order)
 {
   constexpr float CONTRADICTION = -0.5F;
-  constexpr double LEAST = 2.0;
-  constexpr double OF_ROOT = 0.05;
   // The curve jumps: what counts is a step as short as one of those beside it.
   constexpr float SHORT = 4.0F;
   std::size_t found = 0;
   float before = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i + 1 < axes.size(); ++i) {
-    const Eigen::Vector3f chord = distinct.positions[i + 1] - distinct.positions[i];
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    const Eigen::Vector3f chord =
+        distinct.positions[order[i + 1]] - distinct.positions[order[i]];
     const float step = chord.squaredNorm();
     if (step <= SHORT * before &&
-        agreementOf (axes[i], axes[i + 1], chord, 0.0F) < CONTRADICTION)
+        agreementOf (axes[order[i]], axes[order[i + 1]], chord, 0.0F) < CONTRADICTION)
       ++found;
     before = step;
   }
-  return static_cast<double> (found) >
-         LEAST + OF_ROOT * std::sqrt (static_cast<double> (axes.size()));
+  return found;
+}
+
+/** \brief Whether more than a few normals contradict that of the next sample along a
+ * curve. A patch that is turned over has a border, which grows with the root of the
+ * number of samples. A border along a middle of the box, as of a half that was
+ * mirrored, no curve through the cells of the box crosses in a short step: a second one
+ * is turned against it.
+ */
+bool
+seemContradictory (const DistinctPoints& distinct,
+                   const std::vector<Eigen::Vector3f>& axes,
+                   const Workers& workers)
+{
+  constexpr double LEAST = 2.0;
+  constexpr double OF_ROOT = 0.05;
+  const double few = LEAST + OF_ROOT * std::sqrt (static_cast<double> (axes.size()));
+  std::vector<index_t> order (axes.size());
+  std::iota (order.begin(), order.end(), 0);
+  if (static_cast<double> (countContradictions (distinct, axes, order)) > few)
+    return true;
+  const Eigen::Matrix3f turn =
+      Eigen::AngleAxisf (1.0F, Eigen::Vector3f (1.0F, 2.0F, 3.0F).normalized())
+          .toRotationMatrix();
+  std::vector<CurvePoint> turned;
+  turned.reserve (axes.size());
+  for (const index_t i : order)
+    turned.push_back ({0, turn * distinct.positions[i], i});
+  sortAlongCurve (turned, workers);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = turned[i].cloud_index;
+  return static_cast<double> (countContradictions (distinct, axes, order)) > few;
+}
+
+/** \brief Whether normals look, on the whole, to the middle of the samples from all
+ * around.
+ */
+bool
+lookInward (const DistinctPoints& distinct, const std::vector<Eigen::Vector3f>& axes)
+{
+  constexpr double MOST_OPEN = 0.25;
+  constexpr double CLEARLY = 0.2;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& position : distinct.positions)
+    middle += position.cast<double>() / static_cast<double> (axes.size());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double outward = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Eigen::Vector3d axis = axes[i].cast<double>();
+    sum += axis;
+    outward +=
+        axis.dot ((distinct.positions[i].cast<double>() - middle).stableNormalized());
+    count += axis.squaredNorm();
+  }
+  return sum.norm() < MOST_OPEN * count && outward < -CLEARLY * count;
+}
+
+/** \brief Whether many of the given normals stand across flat windows: whatever these
+ * numbers are, they are no normals.
+ */
+bool
+standAcross (const PointTree& tree,
+             const PlaneFits& fits,
+             const std::vector<Eigen::Vector3f>& axes)
+{
+  constexpr double MANY = 1.0 / 3.0;
+  constexpr float FLAT = 0.1F;
+  constexpr float ACROSS = 0.5F;
+  double flat = 0.0;
+  double across = 0.0;
+  for (std::size_t place = 0; place < fits.size(); ++place) {
+    const Eigen::Vector3f& axis = axes[indexAt (tree, place)];
+    if (axis.isZero (0.0F) || fits.plain[place].isZero (0.0F) ||
+        fits.sigmas[place] > FLAT * fits.radii[place])
+      continue;
+    flat += 1.0;
+    across += std::abs (axis.dot (fits.plain[place])) < ACROSS ? 1.0 : 0.0;
+  }
+  return across > MANY * flat;
 }
 
 /** \brief Puts the given normals in the place of those of the windows.
@@ -181,7 +263,7 @@ struct GivenSide {
 };
 
 /** \brief The sides that most of the given normals of each part have, or, where these
- * are divided, that estimated ones would have.
+ * are few or divided, that estimated ones would have.
  */
 std::vector<GivenSide>
 sidesOf (const PointTree& tree,
@@ -191,15 +273,21 @@ sidesOf (const PointTree& tree,
          const NormalHints& hints)
 {
   constexpr double DIVIDED = 1.0 / 3.0;
+  // Of the samples of a part how many have to have a normal to speak for all.
+  constexpr double LEAST_SHARE = 0.1;
   std::vector<double> balance (signs.outward.size(), 0.0);
   std::vector<double> given (signs.outward.size(), 0.0);
+  std::vector<double> samples (signs.outward.size(), 0.0);
   SignedParts parts{fits.normals, signs.part, signs.outward};
   for (std::size_t place = 0; place < tree.size; ++place) {
     const bool is_turned = signs.turned[place] != 0;
     if (is_turned)
       parts.normals[place] = -parts.normals[place];
     const index_t part = signs.part[place];
-    if (part < 0 || axes[indexAt (tree, place)].isZero (0.0F))
+    if (part < 0)
+      continue;
+    samples[part] += 1.0;
+    if (axes[indexAt (tree, place)].isZero (0.0F))
       continue;
     balance[part] += is_turned ? -1.0 : 1.0;
     given[part] += 1.0;
@@ -207,7 +295,8 @@ sidesOf (const PointTree& tree,
   const PartSides estimated = decideSides (fits, parts, hints);
   std::vector<GivenSide> sides;
   for (std::size_t part = 0; part < balance.size(); ++part)
-    if (std::abs (balance[part]) > DIVIDED * given[part])
+    if (given[part] >= LEAST_SHARE * samples[part] &&
+        std::abs (balance[part]) > DIVIDED * given[part])
       sides.push_back ({balance[part] < 0.0});
     else
       sides.push_back (
@@ -215,10 +304,46 @@ sidesOf (const PointTree& tree,
   return sides;
 }
 
+/** \brief Enters what becomes of the normals of the points at one place.
+ *
+ * \param[in] normal that they should have, unless it is not sure
+ *
+ * \param[in] replaces whether no given normal counts
+ */
+void
+checkPlace (const DistinctPoints& distinct,
+            std::size_t position,
+            const Eigen::Vector3f& normal,
+            bool is_sure,
+            bool replaces,
+            NormalCheck& check)
+{
+  for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
+       ++i) {
+    const auto point = static_cast<std::size_t> (distinct.points[i].cloud_index);
+    Eigen::Vector3f& given = check.normals[point];
+    if (replaces)
+      given = normal;
+    else if (!isUsable (given)) {
+      if (!is_sure)
+        continue;
+      given = normal;
+      ++check.findings.filled;
+    }
+    else if (given.dot (normal) < 0.0F) {
+      if (is_sure)
+        given = -given;
+      else
+        check.trust[point] = std::min (check.trust[point], GUESSED_SIDE);
+      ++(is_sure ? check.findings.turned : check.findings.doubtful);
+    }
+  }
+}
+
 void
 repair (const PointView& cloud,
         const DistinctPoints& distinct,
-        const std::vector<Eigen::Vector3f>& axes,
+        std::vector<Eigen::Vector3f> axes,
         const NormalHints& hints,
         const Workers& workers,
         NormalCheck& check)
@@ -228,6 +353,11 @@ repair (const PointView& cloud,
       treeOver (distinct.positions, workers.threads);
   PlaneFits fits = fitPlanes (*tree, NEIGHBORS, workers);
   sharpenNormals (*tree, fits, workers);
+  const bool replaces = standAcross (*tree, fits, axes);
+  if (replaces) {
+    check.findings.across = axes.size();
+    axes.assign (axes.size(), Eigen::Vector3f::Zero());
+  }
   adopt (*tree, axes, fits);
   const ConsistentSigns signs =
       findConsistentSigns (findVotes (*tree, fits, workers), fits, workers);
@@ -236,6 +366,9 @@ repair (const PointView& cloud,
   spreadOverParts (signs, back_to_back);
   const std::vector<GivenSide> sides =
       sidesOf (*tree, axes, fits, signs, hintsFor (hints, distinct, tree->unit));
+  turnBy (signs, fits);
+  // Those of windows average over edges what the nearest tell.
+  std::vector<Eigen::Vector3f> normals = signedNormals (*tree, fits, workers);
 
   check.normals.resize (cloud.size);
   for (std::size_t i = 0; i < cloud.size; ++i)
@@ -245,31 +378,23 @@ repair (const PointView& cloud,
     const index_t part = signs.part[place];
     if (part < 0)
       continue;
-    const bool is_turned = (signs.turned[place] != 0) != sides[part].turned;
-    const bool is_sure = signs.trust[place] >= SURE_SIGN && back_to_back[place] == 0;
-    const float trust = std::min (signs.trust[place], sides[part].trust);
     const std::size_t position = indexAt (*tree, place);
-    const Eigen::Vector3f normal =
-        is_turned ? (-fits.normals[place]).eval() : fits.normals[place];
+    if (!axes[position].isZero (0.0F))
+      normals[place] = fits.normals[place];
+    const bool is_sure = signs.trust[place] >= SURE_SIGN && back_to_back[place] == 0;
     for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
          ++i) {
-      const auto point = static_cast<std::size_t> (distinct.points[i].cloud_index);
-      check.trust[point] = trust;
+      check.trust[distinct.points[i].cloud_index] =
+          std::min (signs.trust[place], sides[part].trust);
       if (sides[part].trust < SURE_SIGN)
         ++check.findings.guessed;
-      Eigen::Vector3f& given = check.normals[point];
-      if (!isUsable (given)) {
-        if (!is_sure)
-          continue;
-        given = normal;
-        ++check.findings.filled;
-      }
-      else if (given.dot (normal) < 0.0F) {
-        if (is_sure)
-          given = -given;
-        ++(is_sure ? check.findings.turned : check.findings.doubtful);
-      }
     }
+    checkPlace (distinct,
+                position,
+                sides[part].turned ? (-normals[place]).eval() : normals[place],
+                is_sure,
+                replaces,
+                check);
   }
 }
 
@@ -280,19 +405,23 @@ checkNormals (const PointView& cloud, const NormalHints& hints, const Workers& w
 {
   constexpr float UNIT = 0.01F;
   NormalCheck check;
+  std::size_t usable = 0;
   for (std::size_t i = 0; i < cloud.size; ++i) {
     if (!cloud.positionOf (i).allFinite())
       continue;
     const Eigen::Vector3f normal = cloud.normalOf (i);
-    if (!isUsable (normal))
-      ++check.findings.missing;
-    else if (std::abs (normal.stableNorm() - 1.0F) > UNIT)
+    ++(isUsable (normal) ? usable : check.findings.missing);
+    if (isUsable (normal) && std::abs (normal.stableNorm() - 1.0F) > UNIT)
       ++check.findings.not_unit;
   }
   const DistinctPoints distinct = takeDistinct (cloud, workers.threads);
   const std::vector<Eigen::Vector3f> axes = axesOf (cloud, distinct);
-  if (check.findings.missing != 0 || seemContradictory (distinct, axes))
+  if (check.findings.missing != 0 || seemContradictory (distinct, axes, workers))
     repair (cloud, distinct, axes, hints, workers, check);
+  if (check.findings.across != 0)
+    check.findings.across = usable;
+  else if (lookInward (distinct, axes))
+    check.findings.inward = usable;
   return check;
 }
 
@@ -313,16 +442,26 @@ explainFindings (const NormalFindings& findings)
     if (count != 0)
       words += (words.empty() ? "Normals: " : "; ") + std::to_string (count) + what;
   };
-  add (findings.not_unit, " not of unit length, used as directions");
-  add (findings.filled, " zero or not finite, estimated in their place");
-  add (findings.missing - findings.filled,
-       " zero or not finite, without a sure one in their place: left out");
+  add (findings.across,
+       " that stand across the surface around them, as numbers of another meaning do: "
+       "all "
+       "estimated in their place");
+  if (findings.across == 0) {
+    add (findings.not_unit, " not of unit length, used as directions");
+    add (findings.filled, " zero or not finite, estimated in their place");
+    add (findings.missing - findings.filled,
+         " zero or not finite, without a sure one in their place: left out");
+  }
   add (findings.turned, " against those around them, turned over");
   add (findings.doubtful,
        " perhaps on the wrong side, used as they are, as it is not sure");
   add (findings.guessed,
        " of parts without a majority for a side: it is a guess, and ridges and valleys "
        "may be swapped there");
+  add (
+      findings.inward,
+      " look from all around to the middle: right for a room, but of a body ridges and "
+      "valleys are swapped");
   return words;
 }
 

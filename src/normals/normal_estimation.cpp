@@ -28,38 +28,16 @@ struct SampleNormals {
   bool single_view = false;
 };
 
-/** \brief The normals of the k nearest with the signs of the windows that noise asked
- * for. Where the two look elsewhere, as at rims of thin plates, the neighbours decide.
- */
-std::vector<Eigen::Vector3f>
-withSigns (const PointTree& tree, const PlaneFits& fits, const Workers& workers)
-{
-  constexpr float ALONG = 0.7F;
-  // In spacings.
-  constexpr float LOW_NOISE = 0.25F;
-  std::vector<Eigen::Vector3f> normals = fits.plain;
-  std::vector<index_t> unlike;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const float cosine = normals[i].dot (fits.normals[i]);
-    if (cosine < 0.0F)
-      normals[i] = -normals[i];
-    if (std::abs (cosine) < ALONG && fits.errors[i] < LOW_NOISE * fits.spacing (i))
-      unlike.push_back (static_cast<index_t> (i));
-  }
-  const std::vector<float> votes = sumVotes (tree, fits, normals, unlike, workers);
-  for (std::size_t i = 0; i < unlike.size(); ++i)
-    if (votes[i] < 0.0F)
-      normals[unlike[i]] = -normals[unlike[i]];
-  return normals;
-}
-
 /** \brief What a sensor at the viewpoint tells of samples that it saw alone; none if it
  * looks along most of the surface.
+ *
+ * \param[in] trust that there was a sensor
  */
 std::optional<SampleNormals>
 lookToViewpoint (const PointTree& tree,
                  const PlaneFits& fits,
                  const Eigen::Vector3f& viewpoint,
+                 float trust,
                  const Workers& workers)
 {
   std::optional<SeenNormals> seen = faceViewpoint (tree, fits, viewpoint, workers);
@@ -69,13 +47,16 @@ lookToViewpoint (const PointTree& tree,
   result.single_view = true;
   result.normals = std::move (seen->normals);
   result.trust = std::move (seen->trust);
+  for (float& t : result.trust)
+    t = std::min (t, trust);
   result.part.assign (fits.size(), 0);
-  result.sides = {{NormalSide::VIEWPOINT, false, 1.0F}};
+  result.sides = {{NormalSide::VIEWPOINT, false, trust}};
   return result;
 }
 
 /** \brief The hints with what the spacing of the samples tells of a viewpoint that
- * nobody set.
+ * nobody set: it stays assumed where that tells nothing.
+ *
  * \param[in] origin of the cloud, in the unit of the fits
  */
 NormalHints
@@ -85,14 +66,19 @@ weighViewpoint (const PlaneFits& fits,
                 const Workers& workers)
 {
   NormalHints weighed = hints;
-  if (hints.viewpoint && (!hints.viewpoint_assumed || hints.organized))
+  if (hints.viewpoint && !hints.viewpoint_assumed)
     return weighed;
-  if (areSpacedAsSeenFrom (fits, origin, workers) &&
-      isSeenFrom (fits, origin, workers)) {
+  const auto is_image = [&] {
+    return hints.viewpoint && hints.organized
+               ? !areGridOfMap (fits, workers)
+               : areSpacedAsSeenFrom (fits, origin, workers) &&
+                     isSeenFrom (fits, origin, workers);
+  };
+  weighed.organized = is_image();
+  weighed.viewpoint_assumed = !weighed.organized;
+  if (weighed.organized)
     weighed.viewpoint = origin;
-    weighed.organized = true;
-  }
-  else if (hints.viewpoint && areSpacedAsOnMap (fits, workers))
+  else if (hints.viewpoint && (hints.up || areSpacedAsOnMap (fits, workers)))
     weighed.viewpoint.reset();
   return weighed;
 }
@@ -105,22 +91,22 @@ orientSamples (const PointTree& tree,
 {
   // An image of a sensor, which sees no surface from behind.
   if (hints.viewpoint && hints.organized)
-    if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
+    if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, 1.0F, workers))
       return std::move (*seen);
   ConsistentSigns signs =
       findConsistentSigns (findVotes (tree, fits, workers), fits, workers);
-  for (std::size_t i = 0; i < fits.size(); ++i)
-    if (signs.turned[i] != 0) {
-      fits.normals[i] = -fits.normals[i];
-      fits.middles[i] = -fits.middles[i];
-    }
-  SignedParts parts{withSigns (tree, fits, workers),
+  turnBy (signs, fits);
+  SignedParts parts{signedNormals (tree, fits, workers),
                     std::move (signs.part),
                     std::move (signs.outward)};
   PartSides sides = decideSides (fits, parts, hints);
-  if (hints.viewpoint && !(sides.is_model_around && hints.viewpoint_assumed) &&
+  if (hints.viewpoint && (!hints.viewpoint_assumed || sides.may_be_view) &&
       isSeenFrom (fits, *hints.viewpoint, workers))
-    if (auto seen = lookToViewpoint (tree, fits, *hints.viewpoint, workers))
+    if (auto seen = lookToViewpoint (tree,
+                                     fits,
+                                     *hints.viewpoint,
+                                     hints.viewpoint_assumed ? GUESSED_SIDE : 1.0F,
+                                     workers))
       return std::move (*seen);
   SampleNormals result;
   result.normals = std::move (parts.normals);
@@ -156,6 +142,35 @@ rankParts (const std::vector<NormalPart>& parts)
   return rank;
 }
 
+/** \brief Counts the points of each part and takes the mean of their trust; the largest
+ * parts come first then, and those of no points are gone.
+ */
+void
+countParts (NormalEstimate& estimate)
+{
+  std::vector<double> trust (estimate.parts.size(), 0.0);
+  for (NormalPart& part : estimate.parts)
+    part.points = 0;
+  for (std::size_t i = 0; i < estimate.part.size(); ++i)
+    if (estimate.part[i] >= 0) {
+      ++estimate.parts[estimate.part[i]].points;
+      trust[estimate.part[i]] += estimate.trust[i];
+    }
+  for (std::size_t i = 0; i < trust.size(); ++i)
+    estimate.parts[i].trust =
+        static_cast<float> (trust[i] / static_cast<double> (estimate.parts[i].points));
+  const std::vector<index_t> rank = rankParts (estimate.parts);
+  std::vector<NormalPart> ranked (static_cast<std::size_t> (
+      std::count_if (rank.begin(), rank.end(), [] (index_t r) { return r >= 0; })));
+  for (std::size_t i = 0; i < rank.size(); ++i)
+    if (rank[i] >= 0)
+      ranked[rank[i]] = estimate.parts[i];
+  estimate.parts = std::move (ranked);
+  for (index_t& part : estimate.part)
+    if (part >= 0)
+      part = rank[part];
+}
+
 /** \brief Gives the points of the cloud what their samples have. */
 NormalEstimate
 estimateOf (const PointView& cloud,
@@ -170,14 +185,11 @@ estimateOf (const PointView& cloud,
   estimate.variation.assign (cloud.size, 0.0F);
   estimate.trust.assign (cloud.size, 0.0F);
   estimate.part.assign (cloud.size, -1);
-  std::vector<NormalPart> parts;
   for (const PartSide& side : samples.sides)
-    parts.push_back ({0, side.side, 0.0F});
-  std::vector<double> trust (parts.size(), 0.0);
+    estimate.parts.push_back ({0, side.side, 0.0F});
   for (std::size_t place = 0; place < tree.size; ++place) {
     if (samples.normals[place].isZero (0.0F))
       continue;
-    const index_t part = samples.part[place];
     const index_t position = tree.index (static_cast<std::int32_t> (place));
     for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
          ++i) {
@@ -185,23 +197,10 @@ estimateOf (const PointView& cloud,
       estimate.normals[point] = samples.normals[place];
       estimate.variation[point] = fits.variation[place];
       estimate.trust[point] = samples.trust[place];
-      estimate.part[point] = part;
-      trust[part] += samples.trust[place];
-      ++parts[part].points;
+      estimate.part[point] = samples.part[place];
     }
   }
-  const std::vector<index_t> rank = rankParts (parts);
-  estimate.parts.resize (static_cast<std::size_t> (
-      std::count_if (rank.begin(), rank.end(), [] (index_t r) { return r >= 0; })));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (rank[i] >= 0) {
-      parts[i].trust =
-          static_cast<float> (trust[i] / static_cast<double> (parts[i].points));
-      estimate.parts[rank[i]] = parts[i];
-    }
-  for (index_t& part : estimate.part)
-    if (part >= 0)
-      part = rank[part];
+  countParts (estimate);
   return estimate;
 }
 
@@ -217,15 +216,26 @@ checkRequest (const NormalRequest& request)
   if (request.k > MOST_NEIGHBORS)
     refuse ("k is " + std::to_string (request.k) + ", but must be at most " +
             std::to_string (MOST_NEIGHBORS));
+  if (request.threads > MOST_THREADS)
+    refuse ("There are " + std::to_string (request.threads) +
+            " threads, but there must be at most " + std::to_string (MOST_THREADS));
   checkPoints (request.cloud);
-  if (request.hints.viewpoint && !request.hints.viewpoint->allFinite())
-    refuse ("The viewpoint is not finite: set one that is, or none");
-  const std::optional<Eigen::Vector3f>& up = request.hints.up;
-  if (up && (!up->allFinite() || up->isZero (0.0F)))
-    refuse ("The up direction is zero or not finite: set a direction, as 0 0 1");
+  checkHints (request.hints);
 }
 
 } // namespace
+
+void
+checkHints (const NormalHints& hints)
+{
+  if (hints.viewpoint && !hints.viewpoint->allFinite())
+    throw std::invalid_argument (
+        "The viewpoint, or the sensor origin of the cloud, is not finite: set one that "
+        "is");
+  if (hints.up && (!hints.up->allFinite() || hints.up->isZero (0.0F)))
+    throw std::invalid_argument (
+        "The up direction is zero or not finite: set a direction, as 0 0 1");
+}
 
 NormalEstimate
 estimateNormals (const NormalRequest& request, const Workers& workers)
@@ -264,8 +274,6 @@ estimateNormals (const NormalRequest& request,
   NormalEstimate estimate;
   estimate.single_view = found.single_view;
   estimate.parts = found.parts;
-  for (NormalPart& part : estimate.parts)
-    part.points = 0;
   for (const index_t node : nodes.node_of) {
     const bool is_known = node >= 0 && found.part[node] >= 0;
     estimate.normals.push_back (is_known ? found.normals[node]
@@ -273,9 +281,8 @@ estimateNormals (const NormalRequest& request,
     estimate.variation.push_back (is_known ? found.variation[node] : 0.0F);
     estimate.trust.push_back (is_known ? found.trust[node] : 0.0F);
     estimate.part.push_back (is_known ? found.part[node] : -1);
-    if (is_known)
-      ++estimate.parts[found.part[node]].points;
   }
+  countParts (estimate);
   return estimate;
 }
 
@@ -297,10 +304,12 @@ estimateNormals (const NormalRequest& request)
 std::string
 explainDoubt (const NormalEstimate& estimate)
 {
+  constexpr std::size_t HARDLY_ANY = 1000;
   const std::size_t unsure = estimate.countUnsure();
-  if (unsure == 0)
-    return {};
   const auto is_unsure = [] (const NormalPart& part) { return part.trust < SURE_SIGN; };
+  if (unsure <= estimate.normals.size() / HARDLY_ANY &&
+      std::none_of (estimate.parts.begin(), estimate.parts.end(), is_unsure))
+    return {};
   const auto parts =
       std::count_if (estimate.parts.begin(), estimate.parts.end(), is_unsure);
   std::string words = "It is not known to which side " + std::to_string (unsure) +

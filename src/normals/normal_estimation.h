@@ -15,6 +15,13 @@
 namespace pcl {
 namespace crest {
 
+/** \brief Checks what is known of the side of normals.
+ *
+ * \throw std::invalid_argument in words for the user
+ */
+void
+checkHints (const NormalHints& hints);
+
 /** \brief Estimates normals as the first stage of more work: its threads and its
  * callback take the place of the request's.
  */

@@ -125,7 +125,7 @@ sumUp (const PlaneFits& fits,
 }
 
 PartSide
-sideOf (const PartSums& part, const std::optional<Eigen::Vector3f>& wanted_up)
+sideOf (const PartSums& part, const NormalHints& hints)
 {
   // From here on rays decide, which are right about cavities, too.
   constexpr float CLEAR_RAYS = 0.3F;
@@ -148,21 +148,20 @@ sideOf (const PartSums& part, const std::optional<Eigen::Vector3f>& wanted_up)
   if (part.showsOneSide())
     return {NormalSide::VIEWPOINT,
             part.facing < 0.0,
-            static_cast<float> (std::abs (part.facing) / part.area)};
+            std::min (static_cast<float> (std::abs (part.facing) / part.area),
+                      hints.viewpoint_assumed ? GUESSED_SIDE : 1.0F)};
   // Surely upward is what faces that way on the whole, and clearly more than down.
   const Eigen::Vector3d up =
-      wanted_up.value_or (Eigen::Vector3f::UnitZ()).cast<double>().stableNormalized();
+      hints.up.value_or (Eigen::Vector3f::UnitZ()).cast<double>().stableNormalized();
   const double rise = part.normal.dot (up);
   const double net = part.normal.norm();
   double trust = net > 0.0 ? std::abs (rise) / net : 0.0;
   trust *= std::min (1.0, net / (MOST_OPEN * part.area));
   if (part.samples < LEAST_PART || mayBeTwoSheets (part))
     trust = 0.0;
-  constexpr double GUESS = 0.4;
-  static_assert (GUESS < SURE_SIGN, "a guess is not sure");
-  if (!wanted_up)
-    trust = std::min (trust, GUESS);
-  return {NormalSide::UP, rise < 0.0, static_cast<float> (trust)};
+  return {NormalSide::UP,
+          rise < 0.0,
+          std::min (static_cast<float> (trust), hints.up ? 1.0F : GUESSED_SIDE)};
 }
 
 } // namespace
@@ -172,18 +171,23 @@ decideSides (const PlaneFits& fits, const SignedParts& parts, const NormalHints&
 {
   // Beside debris.
   constexpr double NEARLY_ALL = 0.9;
+  constexpr double MOSTLY = 0.5;
   const std::vector<PartSums> sums = sumUp (fits, parts, hints.viewpoint);
   PartSides sides;
   double area = 0.0;
+  double shown = 0.0;
   const PartSums* largest = nullptr;
   for (const PartSums& part : sums) {
-    sides.of_parts.push_back (sideOf (part, hints.up));
+    sides.of_parts.push_back (sideOf (part, hints));
     area += part.area;
+    shown += std::abs (part.facing);
     if (largest == nullptr || part.area > largest->area)
       largest = &part;
   }
-  sides.is_model_around = largest != nullptr && largest->area > NEARLY_ALL * area &&
-                          largest->isClosed() && largest->showsOneSide();
+  const bool is_model_around = largest != nullptr &&
+                               largest->area > NEARLY_ALL * area &&
+                               largest->isClosed() && largest->showsOneSide();
+  sides.may_be_view = !is_model_around && shown > MOSTLY * area;
   return sides;
 }
 

@@ -26,17 +26,24 @@ struct PartSide {
   float trust = 0.0F;
 };
 
+/** The trust in a side that nothing but convention speaks for. */
+constexpr float GUESSED_SIDE = 0.4F;
+static_assert (GUESSED_SIDE < SURE_SIGN, "a guess is not sure");
+
 struct PartSides {
   std::vector<PartSide> of_parts;
-  /** whether nearly all is one closed part around the viewpoint: rather a model around
-   * its origin than what a sensor saw */
-  bool is_model_around = false;
+  /** whether all may be what a sensor at the viewpoint saw: nearly all of the surface
+   * shows it one side, and is not one closed part around it, which is rather a model
+   * around its origin */
+  bool may_be_view = false;
 };
 
 /** \brief Decides the sides of parts: outward of those that are closed, that is whose
  * normals add up to nothing much and whose signed volume by the divergence theorem is
  * not zero, or that rays find an inside of; of others toward the viewpoint, if there is
- * one and most of the part faces it or most faces away; else up.
+ * one and most of the part faces it or most faces away, which is a guess if it is
+ * assumed; else up.
+ *
  * \param[in] hints in the unit of the fits
  */
 PartSides

@@ -72,6 +72,16 @@ growsWithRange (const PlaneFits& fits, const Eigen::Vector3f& place)
              LEAST_CORRELATION * std::sqrt (covariance (0, 0) * covariance (1, 1));
 }
 
+std::vector<Eigen::Vector3f>
+placesOnMap (const PlaneFits& fits)
+{
+  std::vector<Eigen::Vector3f> places;
+  places.reserve (fits.size());
+  for (const Eigen::Vector3f& position : fits.positions)
+    places.emplace_back (position.x(), position.y(), 0.0F);
+  return places;
+}
+
 /** Points enough to speak of a spread. */
 constexpr std::size_t LEAST_POINTS = 100;
 
@@ -97,13 +107,17 @@ bool
 areSpacedAsOnMap (const PlaneFits& fits, const Workers& workers)
 {
   constexpr double LESS_EVEN = 1.2;
-  if (fits.size() < LEAST_POINTS)
-    return false;
-  std::vector<Eigen::Vector3f> places;
-  for (const Eigen::Vector3f& position : fits.positions)
-    places.emplace_back (position.x(), position.y(), 0.0F);
-  return unevenness (places, workers) <
-         LESS_EVEN * unevenness (fits.positions, workers);
+  return fits.size() >= LEAST_POINTS &&
+         unevenness (placesOnMap (fits), workers) <
+             LESS_EVEN * unevenness (fits.positions, workers);
+}
+
+bool
+areGridOfMap (const PlaneFits& fits, const Workers& workers)
+{
+  constexpr double ROUNDING = 0.01;
+  return fits.size() >= LEAST_POINTS &&
+         unevenness (placesOnMap (fits), workers) < ROUNDING;
 }
 
 } // namespace crest

@@ -23,5 +23,11 @@ areSpacedAsSeenFrom (const PlaneFits& fits,
 bool
 areSpacedAsOnMap (const PlaneFits& fits, const Workers& workers);
 
+/** \brief Whether seen from above, along z, they are a grid: rows and columns of
+ * heights, and not an image, whose pixels lie further apart the farther they are.
+ */
+bool
+areGridOfMap (const PlaneFits& fits, const Workers& workers);
+
 } // namespace crest
 } // namespace pcl

@@ -2,6 +2,7 @@
 #include "normals/sharp_normals.h"
 
 #include "base/parallel.h"
+#include "normals/sign_votes.h"
 #include "search/leaf_search.h"
 
 #include <algorithm>
@@ -71,6 +72,28 @@ sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers)
       });
   for (std::size_t i = 0; i < rough.size(); ++i)
     fits.plain[rough[i]] = chosen[i];
+}
+
+std::vector<Eigen::Vector3f>
+signedNormals (const PointTree& tree, const PlaneFits& fits, const Workers& workers)
+{
+  constexpr float ALONG = 0.7F;
+  // In spacings.
+  constexpr float LOW_NOISE = 0.25F;
+  std::vector<Eigen::Vector3f> normals = fits.plain;
+  std::vector<index_t> unlike;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const float cosine = normals[i].dot (fits.normals[i]);
+    if (cosine < 0.0F)
+      normals[i] = -normals[i];
+    if (std::abs (cosine) < ALONG && fits.errors[i] < LOW_NOISE * fits.spacing (i))
+      unlike.push_back (static_cast<index_t> (i));
+  }
+  const std::vector<float> votes = sumVotes (tree, fits, normals, unlike, workers);
+  for (std::size_t i = 0; i < unlike.size(); ++i)
+    if (votes[i] < 0.0F)
+      normals[unlike[i]] = -normals[unlike[i]];
+  return normals;
 }
 
 } // namespace crest

@@ -12,11 +12,23 @@ namespace crest {
  * the plane of a window near by that fits its own points at least twice as well, and
  * the sample, too: as Kuwahara et al. 1976 smooth images up to their edges. Where no
  * window does, as on smooth surfaces and in noise, nothing changes.
+ *
  * \param[in] tree that the fits were made from
+ *
  * \param[in,out] fits their nearest planes change
  */
 void
 sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers);
+
+/** \brief The normals of the k nearest with the signs of the windows that noise asked
+ * for. Where the two look elsewhere, as at rims of thin plates, the neighbours decide.
+ *
+ * \param[in] tree that the fits were made from
+ *
+ * \param[in] fits whose normals have consistent signs
+ */
+std::vector<Eigen::Vector3f>
+signedNormals (const PointTree& tree, const PlaneFits& fits, const Workers& workers);
 
 } // namespace crest
 } // namespace pcl

@@ -85,6 +85,7 @@ checkRequest (const ExtractionRequest& request)
     throw std::invalid_argument (why);
   };
   checkPoints (request.cloud);
+  checkHints (request.hints);
   const std::string invalid = explainInvalid (request.parameters);
   if (!invalid.empty())
     refuse ("Invalid parameter: " + invalid);
@@ -210,9 +211,13 @@ provideNormals (const ExtractionRequest& request,
   if (cloud.normal != nullptr && hasNormals (cloud)) {
     if (request.sign_trust != nullptr)
       return;
+    // Of all work, where there is something to repair.
+    constexpr double CHECKED = 0.1;
+    progress.beginStage ("normal check", CHECKED);
     Stopwatch watch (result.statistics.times);
     auto check = std::make_shared<const NormalCheck> (
-        checkNormals (cloud, request.hints, request.parameters.threads));
+        checkNormals (cloud, request.hints, {request.parameters.threads, &progress}));
+    progress.beginRest();
     watch.stageDone ("normal check");
     if (!check->normals.empty())
       use (check->normals);

@@ -92,20 +92,118 @@ TEST (GivenNormals, RightOnesStayAsTheyAre)
 
 TEST (GivenNormals, FlippedOnesAreTurnedBack)
 {
-  const auto in_patch = [] (const pcl::PointNormal& point) {
-    return point.x + point.y > 0.9F;
-  };
   for (const char* name :
        {"dodecahedron", "cube with holes", "plate of 1 h", "plate of 3 h", "terrain"}) {
     const Cloud cloud = solid (name);
     for (const double part : {0.01, 0.3})
       EXPECT_LE (wrongAfter (cloud, oneIn (part)), 1e-3) << name << " " << part;
-    const auto flipped = std::count_if (cloud.begin(), cloud.end(), in_patch);
-    if (flipped > 0 && 3 * flipped < static_cast<std::ptrdiff_t> (cloud.size())) {
-      EXPECT_LE (wrongAfter (cloud, in_patch), 1e-3) << name;
-    }
-    EXPECT_LE (wrongAfter (solid (name, 0.2), oneIn (0.1)), 0.102) << name;
+    // The fifth that is farthest along x + y.
+    std::vector<float> along;
+    for (const pcl::PointNormal& point : cloud)
+      along.push_back (point.x + point.y);
+    std::sort (along.begin(), along.end());
+    const float limit = along[along.size() - along.size() / 5];
+    EXPECT_LE (wrongAfter (cloud,
+                           [limit] (const pcl::PointNormal& point) {
+                             return point.x + point.y >= limit;
+                           }),
+               1e-3)
+        << name;
   }
+  // Noise of the thickness of a plate hides which sheet a flipped one is of; no more is
+  // lost then.
+  EXPECT_LE (wrongAfter (solid ("plate of 1 h", 0.2), oneIn (0.1)), 0.102);
+  for (const char* name :
+       {"dodecahedron", "cube with holes", "plate of 3 h", "terrain"})
+    EXPECT_LE (wrongAfter (solid (name, 0.2), oneIn (0.1)), 2e-3) << name;
+}
+
+TEST (GivenNormals, HalvesThatWereMirroredAreTurnedBack)
+{
+  // The middle of the box is where no curve through its cells makes a short step.
+  for (const char* name : {"dodecahedron", "gear", "torus"}) {
+    Cloud cloud = solid (name);
+    Eigen::AlignedBox3f box;
+    for (const pcl::PointNormal& point : cloud)
+      box.extend (point.getVector3fMap());
+    const Eigen::Vector3f middle = box.center();
+    for (const int axis : {0, 1, 2})
+      for (const float part : {0.0F, 0.25F}) {
+        const float cut = middle[axis] + part * box.sizes()[axis];
+        const double wrong =
+            wrongAfter (cloud, [axis, cut] (const pcl::PointNormal& point) {
+              return point.getVector3fMap()[axis] > cut;
+            });
+        EXPECT_LE (wrong, 1e-3) << name << " " << axis << " " << part;
+      }
+  }
+}
+
+TEST (GivenNormals, NumbersThatAreNoneAreReplaced)
+{
+  const Cloud right = solid ("cube with holes");
+  // One for all, and colors.
+  std::mt19937 random (3);
+  std::uniform_real_distribution<float> color (0.0F, 1.0F);
+  Cloud constant = right;
+  Cloud colored = right;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    constant[i].getNormalVector3fMap() = Eigen::Vector3f::UnitZ();
+    for (float& c : colored[i].getNormalVector3fMap())
+      c = color (random);
+  }
+  for (const Cloud& cloud : {constant, colored}) {
+    const NormalCheck found = check (cloud);
+    EXPECT_EQ (found.findings.across, cloud.size());
+    EXPECT_NE (explainFindings (found.findings).find ("stand across"),
+               std::string::npos);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      wrong += found.normals[i].dot (right[i].getNormalVector3fMap()) < 0.5F ? 1 : 0;
+    EXPECT_LT (wrong, cloud.size() / 100);
+  }
+}
+
+TEST (GivenNormals, ABodyTurnedInsideOutIsSaidToBe)
+{
+  for (const char* name : {"dodecahedron", "torus", "cube with holes"}) {
+    Cloud cloud = solid (name);
+    EXPECT_EQ (check (cloud).findings.inward, 0U) << name;
+    for (pcl::PointNormal& point : cloud)
+      point.getNormalVector3fMap() *= -1.0F;
+    EXPECT_EQ (check (cloud).findings.inward, cloud.size()) << name;
+  }
+  EXPECT_EQ (check (solid ("terrain")).findings.inward, 0U);
+}
+
+TEST (GivenNormals, AFewDecideNoSide)
+{
+  // All are missing but one, which looks into the body.
+  const Cloud right = solid ("dodecahedron");
+  Cloud cloud = right;
+  for (std::size_t i = 1; i < cloud.size(); ++i)
+    cloud[i].getNormalVector3fMap().setZero();
+  cloud[0].getNormalVector3fMap() *= -1.0F;
+  const NormalCheck found = check (cloud);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    wrong += found.normals[i].dot (right[i].getNormalVector3fMap()) < 0.5F ? 1 : 0;
+  EXPECT_LT (wrong, cloud.size() / 50);
+}
+
+TEST (GivenNormals, WhatIsDoubtfulIsNotSure)
+{
+  Cloud cloud = solid ("plate of 1 h", 1.0);
+  IsFlipped is_flipped = oneIn (0.1);
+  for (pcl::PointNormal& point : cloud)
+    if (is_flipped (point))
+      point.getNormalVector3fMap() *= -1.0F;
+  const NormalCheck found = check (cloud);
+  ASSERT_GT (found.findings.doubtful, 0U);
+  EXPECT_GE (std::count_if (found.trust.begin(),
+                            found.trust.end(),
+                            [] (float trust) { return trust < SURE_SIGN; }),
+             static_cast<std::ptrdiff_t> (found.findings.doubtful));
 }
 
 TEST (GivenNormals, ScansOfOppositeOrientationAgreeAfterwards)

@@ -325,8 +325,8 @@ TEST_F (IoNormals, OrganizedCloudsLookToTheirSensor)
     for (std::uint32_t column = 0; column < image.width; ++column) {
       const float x = (static_cast<float> (column) - 29.5F) / 30.0F;
       const float y = (static_cast<float> (row) - 19.5F) / 30.0F;
-      image.at (column,
-                row) = {x, y, 2.0F + std::abs (std::fmod (x + 2.0F, 0.5F) - 0.25F)};
+      const float z = 2.0F + std::abs (std::fmod (x + 2.0F, 0.5F) - 0.25F);
+      image.at (column, row) = {z * x, z * y, z};
     }
   image.at (7, 7).x = std::numeric_limits<float>::quiet_NaN();
   image.is_dense = false;

@@ -77,6 +77,8 @@ template <typename PointInT, typename PointOutT>
 bool
 CrestLineEstimation<PointInT, PointOutT>::initCompute()
 {
+  // What a compute that ran out of memory has left.
+  this->deinitCompute();
   result_ = Result();
   if (known_curvatures_.source.expired())
     known_curvatures_ = KnownCurvatures();
@@ -117,6 +119,16 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
                    " input normals for a surface of " +
                    std::to_string (surface_->size()) +
                    " points: set one normal for each, or none to estimate them");
+  if (sign_trust_ && sign_trust_->size() != surface_->size())
+    return refuse ("There are " + std::to_string (sign_trust_->size()) +
+                   " trusts of signs for a surface of " +
+                   std::to_string (surface_->size()) +
+                   " points: set one for each, or none");
+  if (sign_trust_ &&
+      !std::all_of (sign_trust_->begin(), sign_trust_->end(), [] (float trust) {
+        return trust >= 0.0F && trust <= 1.0F;
+      }))
+    return refuse ("The trust of a sign is not from 0 to 1");
   if (surface_->empty())
     return refuse ("The search surface is empty: set one that has the input points, or "
                    "none to search the input cloud");
@@ -251,14 +263,8 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
     return false;
   crest::ExtractionRequest request;
   request.cloud = surfaceView();
-  if (sign_trust_) {
-    if (sign_trust_->size() != surface_->size())
-      throw std::invalid_argument ("There are " + std::to_string (sign_trust_->size()) +
-                                   " trusts of signs for a surface of " +
-                                   std::to_string (surface_->size()) +
-                                   " points: set one for each, or none");
+  if (sign_trust_)
     request.sign_trust = sign_trust_->data();
-  }
   request.hints = crest::hintsOf (*surface_, viewpoint_, up_);
   request.parameters = getParameters();
   request.search = givenSearch();
@@ -308,7 +314,12 @@ CrestLineEstimation<PointInT, PointOutT>::warnOfNormals (
     return;
   const std::string findings = crest::explainFindings (found.normal_check->findings);
   if (!findings.empty())
-    PCL_WARN ("[pcl::%s::compute] %s.\n", getClassName().c_str(), findings.c_str());
+    PCL_WARN ("[pcl::%s::compute] %s.%s\n",
+              getClassName().c_str(),
+              findings.c_str(),
+              found.normal_check->findings.guessed == 0
+                  ? ""
+                  : " setViewPoint tells it, or setUpDirection.");
 }
 
 template <typename PointInT, typename PointOutT>

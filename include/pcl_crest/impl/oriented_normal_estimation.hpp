@@ -71,7 +71,7 @@ warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
     PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               class_name.c_str(),
               doubt.c_str(),
-              estimate.single_view ? "" : " setViewPoint tells it, or setUpDirection.");
+              estimate.canBeTold() ? " setViewPoint tells it, or setUpDirection." : "");
 }
 
 } // namespace crest
@@ -80,6 +80,8 @@ template <typename PointInT, typename PointOutT>
 bool
 OrientedNormalEstimation<PointInT, PointOutT>::initCompute()
 {
+  // What a compute that ran out of memory has left.
+  this->deinitCompute();
   forget();
   const auto refuse = [this] (const std::string& why) {
     PCL_ERROR ("[pcl::%s::compute] %s.\n", getClassName().c_str(), why.c_str());
