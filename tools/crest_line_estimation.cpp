@@ -6,6 +6,8 @@
 #include <pcl_crest/io/write_lines.h>
 #include <pcl_crest/io/write_statistics.h>
 
+#include <pcl/console/print.h>
+
 #include "base/stopwatch.h"
 #include "estimation.h"
 #include "io/output_file.h"
@@ -132,8 +134,10 @@ report (const std::vector<StageTime>& times)
 int
 run (const Files& files, const Parameters& parameters, bool quiet)
 {
-  if (quiet)
+  if (quiet) {
     std::cout.setstate (std::ios_base::failbit); // which swallows all reports
+    pcl::console::setVerbosityLevel (pcl::console::L_ERROR);
+  }
   std::string error;
   Estimate result;
   const auto tell = [&files] (const InputCloud& cloud) { report (files, cloud); };

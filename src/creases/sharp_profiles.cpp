@@ -3,9 +3,13 @@
 
 #include <Eigen/Geometry>
 
+#include "base/parallel.h"
+#include "creases/place_search.h"
 #include "curvature/scale_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -50,6 +54,51 @@ profileOf (const ScaleFit& fit)
   return profile;
 }
 
+/** \brief Takes the crests from profiles that are the image of a sharp line: windows
+ * that reach round its end or through a gap blur it to a crest beside it.
+ */
+void
+dropImages (const OrientedPoints& points,
+            const SharpLines& lines,
+            const Workers& workers,
+            std::vector<CrestProfile>& profiles)
+{
+  // Of the radius of the window.
+  constexpr float NEAR = 0.35F;
+  constexpr float PARALLEL = 0.8F;
+  std::vector<Eigen::Vector3d> feet;
+  for (const SharpNode& node : lines.nodes)
+    feet.push_back (node.crease.foot.cast<double>());
+  if (feet.empty())
+    return;
+  const PlaceSearch search (points, feet);
+  forEachBlock (
+      profiles.size(), workers, [&] (std::size_t, std::size_t i, std::size_t last) {
+        std::vector<int> near;
+        for (; i < last; ++i) {
+          CrestProfile& profile = profiles[i];
+          if (lines.blocked[i] != 0 || !std::isfinite (profile.foot))
+            continue;
+          const Eigen::Vector3f along =
+              profile.normal.cross (profile.curvature.t1).normalized();
+          const CrestType type =
+              profile.curvature.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
+          search.within (
+              points.positions[i].cast<double>(), NEAR * profile.radius, near);
+          const bool is_image = std::any_of (near.begin(), near.end(), [&] (int j) {
+            const Crease& crease = lines.nodes[j].crease;
+            return crease.type == type &&
+                   std::abs (crease.direction.dot (along)) > PARALLEL;
+          });
+          if (is_image) {
+            profile.foot = std::numeric_limits<float>::infinity();
+            profile.certainty = profile.peak_z = 0.0F;
+            profile.resolved = false;
+          }
+        }
+      });
+}
+
 } // namespace
 
 std::vector<CrestProfile>
@@ -70,6 +119,7 @@ profileSharpCrests (const OrientedPoints& points,
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (needed[i] != 0)
       profiles[i] = profileOf (fits[i]);
+  dropImages (points, lines, workers, profiles);
   for (const SharpNode& node : lines.nodes)
     profiles[node.point] =
         profileOf (node.crease, graph.spacing[node.point], profiles[node.point].noise);

@@ -15,7 +15,9 @@ namespace crest {
  *   spacings, as no sampling can tell it from less: k1 = angle / (2 h), across the
  * edge. The strength of a sharp line thus is its angle times its length in double
  * spacings;
- * - others that are blocked get the curvature of the finest scale, but no crest.
+ * - others that are blocked get the curvature of the finest scale, but no crest;
+ * - where a line of the same type runs the same way within .35 of a window's radius,
+ *   there is no crest: wide windows see it round its ends, and blur it.
  */
 std::vector<CrestProfile>
 profileSharpCrests (const OrientedPoints& points,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace pcl {
 namespace crest {
@@ -19,11 +21,11 @@ public:
   : points_ (points), graph_ (graph), profiles_ (profiles)
   {}
 
-  float
+  Prominence
   prominence (index_t point) const
   {
     if (profiles_[point].sharp)
-      return 1.0F;
+      return {1.0F};
     const Eigen::Vector3f& t1 = profiles_[point].curvature.t1;
     const float k1 = std::abs (profiles_[point].curvature.k1);
     // A fit over much of a turn, and the widest of all, has an error of its own that
@@ -32,15 +34,21 @@ public:
     const bool widest = profiles_[point].coarsest_level;
     if ((widest || k1 * profiles_[point].radius > WIDE_TURN) &&
         (endsBeside (point, t1) || endsBeside (point, -t1)))
-      return 0.0F;
+      return {};
+    const Flank flanks[] = {flank (point, t1), flank (point, -t1)};
+    // In spacings: more noise moves k1 by as much as shoulders tell.
+    constexpr float LITTLE_NOISE = 0.3F;
+    const float shoulders =
+        profiles_[point].noise < LITTLE_NOISE * graph_.spacing[point]
+            ? 1.0F - std::max (flanks[0].shoulder, flanks[1].shoulder) / k1
+            : std::numeric_limits<float>::infinity();
     // Nothing is beside a crest that fills the widest.
     if (widest)
-      return 1.0F;
-    const Flank flanks[] = {flank (point, t1), flank (point, -t1)};
+      return {1.0F, shoulders};
     // Nobody knows how far it would fall where data end.
     if (flanks[0].ends != flanks[1].ends)
-      return 1.0F - flanks[flanks[0].ends ? 1 : 0].least / k1;
-    return 1.0F - std::max (flanks[0].least, flanks[1].least) / k1;
+      return {1.0F - flanks[flanks[0].ends ? 1 : 0].least / k1, shoulders};
+    return {1.0F - std::max (flanks[0].least, flanks[1].least) / k1, shoulders};
   }
 
 private:
@@ -74,6 +82,49 @@ private:
     float least;
     /** whether the data end on that way */
     bool ends;
+    /** the mean curvature about halfway to where it is half; minus infinity if it never
+     * is */
+    float shoulder;
+  };
+
+  /** \brief The curvatures that are passed on the way. */
+  class Passed {
+  public:
+    Passed (float top, double spacing) : top_ (top), spacing_ (spacing) {}
+
+    void
+    add (double distance, float k)
+    {
+      if (half_ == 0.0 && k < 0.5F * top_)
+        half_ = distance;
+      if (half_ == 0.0)
+        passed_.emplace_back (distance, k);
+    }
+
+    float
+    shoulder () const
+    {
+      // In spacings: what is narrower may be two edges, which are a crest together.
+      constexpr double LEAST_HALF = 5.0;
+      constexpr double FROM = 0.3;
+      constexpr double TO = 0.7;
+      float sum = 0.0F;
+      float count = 0.0F;
+      for (const auto& [distance, k] : passed_)
+        if (distance > FROM * half_ && distance < TO * half_) {
+          sum += k;
+          count += 1.0F;
+        }
+      return count > 0.0F && half_ > LEAST_HALF * spacing_
+                 ? sum / count
+                 : -std::numeric_limits<float>::infinity();
+    }
+
+  private:
+    float top_;
+    double spacing_;
+    double half_ = 0.0;
+    std::vector<std::pair<double, float>> passed_;
   };
 
   Flank
@@ -88,16 +139,21 @@ private:
     const float top = std::abs (profiles_[point].curvature.k1);
     const float sign = profiles_[point].curvature.k1 > 0.0F ? 1.0F : -1.0F;
     float smallest = top;
+    const index_t start = point;
+    Passed passed (top, graph_.spacing[start]);
     for (int step = 0; step < MOST_STEPS && smallest >= 0.0F; ++step) {
       const index_t from = point;
       point = next (from, direction, DOWNHILL);
       if (point == OrientedPoints::INVALID)
-        return {smallest, next (from, direction, GOES_ON) == OrientedPoints::INVALID};
+        return {smallest,
+                next (from, direction, GOES_ON) == OrientedPoints::INVALID,
+                passed.shoulder()};
       if (!profiles_[point].curvature.valid)
         break;
       const CrestProfile& profile = profiles_[point];
       const float k =
           std::max (sign * profile.curvature.k1, sign * profile.curvature.k2);
+      passed.add (points_.edge (start, point).norm(), k);
       if (k > smallest + RISE * top)
         break;
       smallest = std::min (smallest, k);
@@ -109,7 +165,7 @@ private:
         direction =
             (direction - direction.dot (profile.normal) * profile.normal).normalized();
     }
-    return {smallest, false};
+    return {smallest, false, passed.shoulder()};
   }
 
   /** \brief The neighbour closest to a direction, if nearer than a cosine. */
@@ -136,14 +192,14 @@ private:
 
 } // namespace
 
-std::vector<float>
+std::vector<Prominence>
 measureProminence (const OrientedPoints& points,
                    const SurfaceGraph& graph,
                    const std::vector<CrestProfile>& profiles,
                    const std::vector<CrestType>& crest_points,
                    const Workers& workers)
 {
-  std::vector<float> prominence (points.size(), 0.0F);
+  std::vector<Prominence> prominence (points.size());
   const ProminenceWalk walk (points, graph, profiles);
   forEachBlock (
       points.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {

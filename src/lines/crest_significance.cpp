@@ -18,6 +18,9 @@ namespace {
 constexpr double LEAST_CREST_PART = 0.25;
 /** Least mean prominence. */
 constexpr double LEAST_PROMINENCE = 0.25;
+/** Least mean fall halfway to where |k1| is half: with less it is a blend of constant
+ * radius between two faces, which has no crest. */
+constexpr double LEAST_SHOULDERS = 0.1;
 /** Least mean relief, in spacings: smaller is what is left of noise where it differs
  * little from sample to sample, as that of registered or smoothed scans does. */
 constexpr double LEAST_RELIEF = 0.4;
@@ -70,6 +73,8 @@ struct Summary {
   std::size_t crest_points = 0;
   double turning_angle = 0.0;
   double prominence = 0.0;
+  double shoulders = 0.0;
+  double with_shoulders = 0.0;
   double relief_turn = 0.0;
   double relief = 0.0;
 
@@ -81,12 +86,26 @@ struct Summary {
       return;
     ++crest_points;
     const CrestProfile& profile = evidence.profiles[point];
-    const double p = std::clamp (evidence.prominence[point], 0.0F, 1.0F);
+    const double p = std::clamp (evidence.prominence[point].fall, 0.0F, 1.0F);
     const Relief wave (profile, p, evidence.graph.spacing[point]);
     turning_angle += turningAngle (profile.sharpness);
     prominence += p;
+    if (std::isfinite (evidence.prominence[point].shoulders)) {
+      shoulders += evidence.prominence[point].shoulders;
+      with_shoulders += 1.0;
+    }
     relief_turn += wave.turn;
     relief += wave.height;
+  }
+
+  /** \brief Whether |k1| is the same as far as it goes, where enough crest points tell.
+   */
+  bool
+  isBlend () const
+  {
+    constexpr double KNOWN = 0.2;
+    return with_shoulders > KNOWN * static_cast<double> (crest_points) &&
+           shoulders < LEAST_SHOULDERS * with_shoulders;
   }
 
   bool
@@ -94,7 +113,7 @@ struct Summary {
   {
     const auto count = static_cast<double> (crest_points);
     return crest_points > 0 && turning_angle >= angle * count &&
-           prominence >= LEAST_PROMINENCE * count &&
+           prominence >= LEAST_PROMINENCE * count && !isBlend() &&
            relief_turn >= LEAST_RELIEF_TURN * angle * count &&
            relief >= LEAST_RELIEF * std::min (1.0, angle / FULL_RELIEF_ANGLE) * count &&
            count >= LEAST_CREST_PART * static_cast<double> (points);

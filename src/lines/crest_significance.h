@@ -2,6 +2,7 @@
 // Which lines a person would draw: significance, for the auto preset.
 #pragma once
 
+#include "crests/crest_prominence.h"
 #include "lines/crest_lines.h"
 
 namespace pcl {
@@ -13,7 +14,7 @@ struct CrestEvidence {
   const std::vector<CrestProfile>& profiles;
   const std::vector<CrestType>& crest_points;
   /** see measureProminence */
-  std::vector<float> prominence;
+  std::vector<Prominence> prominence;
 };
 
 /** \brief Removes the branches whose points do not bear them out: few of them are crest

@@ -42,6 +42,10 @@ explainSampling (const SamplingFindings& findings)
         << std::fixed << std::setprecision (2)
         << findings.noise.front() / findings.spacing << " spacings in windows of 24, "
         << findings.noise.back() / findings.spacing << " of 384";
+  // Samples all over a volume, as of foliage, have as much.
+  constexpr double MORE_THAN_DETAIL = 1.25;
+  if (findings.noise.front() > MORE_THAN_DETAIL * findings.spacing)
+    words << ", which exceeds the detail of any surface";
   if (findings.gathered == 0)
     return words.str();
   words << "; " << findings.gathered << " points were gathered to " << findings.nodes

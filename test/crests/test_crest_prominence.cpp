@@ -5,6 +5,8 @@
 #include "crests/crest_prominence.h"
 #include "support/stage_inputs.h"
 
+#include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -41,13 +43,20 @@ struct Row {
   [[nodiscard]] float
   at (int crest) const
   {
+    return whole (crest).fall;
+  }
+
+  [[nodiscard]] Prominence
+  whole (int crest) const
+  {
     std::vector<CrestType> crest_points (points.size(), CrestType::NONE);
     crest_points[crest] =
         profiles[crest].curvature.k1 > 0.0F ? CrestType::RIDGE : CrestType::VALLEY;
-    std::vector<float> prominence =
+    std::vector<Prominence> prominence =
         measureProminence (points, graph, profiles, crest_points, Workers (1));
-    const float of_crest = std::exchange (prominence[crest], 0.0F);
-    EXPECT_EQ (prominence, std::vector<float> (points.size(), 0.0F));
+    const Prominence of_crest = std::exchange (prominence[crest], Prominence());
+    for (const Prominence& of_other : prominence)
+      EXPECT_EQ (of_other.fall, 0.0F);
     return of_crest;
   }
 };
@@ -59,6 +68,41 @@ TEST (CrestProminence, IsThePartThatCurvatureFallsByOnTheLowerSideOfTheTwo)
   // To .1 and up again on the left, to .16 and up again on the right.
   const Row row ({.3F, .1F, .15F, .2F, .18F, .16F, .17F, .4F});
   EXPECT_FLOAT_EQ (row.at (3), 1.0F - .16F / .2F);
+}
+
+namespace {
+
+/** \brief |k1| at 21 points one spacing apart, the crest in their middle. */
+Row
+rowOf (const std::function<double (double)>& k1)
+{
+  std::vector<float> curvatures;
+  for (int x = -10; x <= 10; ++x)
+    curvatures.push_back (static_cast<float> (k1 (x)));
+  return Row (curvatures);
+}
+
+} // namespace
+
+TEST (CrestProminence, TellsABlendByItsShoulders)
+{
+  const auto shoulders = [] (const std::function<double (double)>& k1) {
+    return rowOf (k1).whole (10).shoulders;
+  };
+  // Half is at 7; the mean over a window about 3.5 is a little more than that there.
+  EXPECT_NEAR (
+      shoulders ([] (double x) { return 0.1 * (1.0 - 0.5 * x * x / 49.0 * 1.02); }),
+      0.125,
+      0.04);
+  EXPECT_NEAR (
+      shoulders ([] (double x) { return std::abs (x) < 6.5 ? 0.1 : 0.01; }), 0.0, 1e-6);
+  // As wide as two edges that are near to each other.
+  EXPECT_FALSE (std::isfinite (
+      shoulders ([] (double x) { return std::abs (x) < 3.5 ? 0.1 : 0.01; })));
+  Row noisy = rowOf ([] (double x) { return std::abs (x) < 6.5 ? 0.1 : 0.01; });
+  for (CrestProfile& profile : noisy.profiles)
+    profile.noise = 0.5F;
+  EXPECT_FALSE (std::isfinite (noisy.whole (10).shoulders));
 }
 
 TEST (CrestProminence, IsTheSameForAValley)

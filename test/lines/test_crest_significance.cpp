@@ -22,7 +22,7 @@ struct Branch {
   SurfaceGraph graph;
   std::vector<CrestProfile> profiles;
   std::vector<CrestType> crest_points;
-  std::vector<float> prominence;
+  std::vector<Prominence> prominence;
   std::vector<CrestEdge> edges;
 
   /** \param[in] weak_first whether the others come first */
@@ -47,8 +47,8 @@ struct Branch {
     graph.spacing.assign (size, 1.0F);
     profiles.assign (size, profile);
     crest_points.assign (size, CrestType::RIDGE);
-    prominence.assign (size, 1.0F);
-    std::fill (prominence.begin() + strong, prominence.end(), 0.0F);
+    prominence.assign (size, {1.0F});
+    std::fill (prominence.begin() + strong, prominence.end(), Prominence());
     if (weak_first)
       std::reverse (prominence.begin(), prominence.end());
   }
@@ -118,9 +118,24 @@ TEST (SignificantBranches, AreLoopsAsAWhole)
 TEST (SignificantBranches, MayBeLowerForASmallerAngle)
 {
   Branch ripple (40, 0);
-  std::fill (ripple.prominence.begin(), ripple.prominence.end(), 0.6F);
+  std::fill (ripple.prominence.begin(), ripple.prominence.end(), Prominence{0.6F});
   EXPECT_TRUE (ripple.significantPoints (20.0).empty());
   EXPECT_EQ (ripple.significantPoints (10.0).size(), 40U);
+}
+
+// A parabola has fallen by an eighth halfway to one half.
+TEST (SignificantBranches, GoWhereCurvatureIsThatOfABlend)
+{
+  for (const float shoulders : {0.03F, 0.125F}) {
+    Branch branch (40, 0);
+    for (std::size_t i = 0; i < 20; ++i)
+      branch.prominence[2 * i].shoulders = shoulders;
+    EXPECT_EQ (branch.significantPoints().size(), shoulders < 0.1F ? 0U : 40U);
+  }
+  // What two points say of forty is chance.
+  Branch branch (40, 0);
+  branch.prominence[3].shoulders = branch.prominence[4].shoulders = 0.0F;
+  EXPECT_EQ (branch.significantPoints().size(), 40U);
 }
 
 TEST (SignificantBranches, GoWhereMuchIsWeak)

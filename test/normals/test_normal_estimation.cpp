@@ -392,11 +392,9 @@ TEST (NormalEstimation, RowsAndColumnsOfAMapAreNoImage)
 TEST (NormalEstimation, AnAssumedViewpointIsAGuessThatUpOverrules)
 {
   // A dome above the origin is seen from there, as everything inside of it would be.
-  Cloud dome;
-  for (const pcl::PointNormal& point : *solid ("hemisphere").cloud) {
-    dome.push_back (point);
-    dome.back().z += 5.0F;
-  }
+  Cloud dome = *solid ("hemisphere").cloud;
+  for (pcl::PointNormal& point : dome)
+    point.z += 5.0F;
   NormalRequest request = requestFor (dome);
   request.hints.viewpoint = Eigen::Vector3f::Zero();
   request.hints.viewpoint_assumed = true;

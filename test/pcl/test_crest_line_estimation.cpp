@@ -813,11 +813,25 @@ TEST (Feature, AllPointsInvalidIsNoMistake)
   testing::internal::CaptureStderr();
   estimation.compute (labels, lines);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE (said.find ("No point has a finite position and a normal"),
+  EXPECT_NE (said.find ("No three points span a plane"),
              std::string::npos)
       << said;
   EXPECT_EQ (codes (labels), std::vector<std::uint32_t> (10, LABEL_INVALID));
   EXPECT_TRUE (lines.polygons.empty());
+}
+
+TEST (Feature, ARadiusThatIsTooSmallIsSaid)
+{
+  Estimation estimation;
+  estimation.setInputCloud (ridgeAndValley());
+  estimation.setRadiusSearch (1e-6);
+  Labels labels;
+  testing::internal::CaptureStderr();
+  estimation.compute (labels);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE (said.find ("enough neighbours within the radius of 1e-06"),
+             std::string::npos)
+      << said;
 }
 
 TEST (Feature, MistakesAreRefusedInWords)

@@ -11,9 +11,12 @@
 #include "support/extraction.h"
 #include "support/flipped_labels.h"
 #include "support/noisy_cloud.h"
+#include "support/sharp_solids.h"
 #include "support/surface_cases.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -434,5 +437,72 @@ TEST_F (AutoInvariance, Rotation)
         oracle::scoreLines (other.lines, *back, segments, type, 0.3 * h_);
     EXPECT_GT (score.precision, 0.95);
     EXPECT_GT (score.recall, 0.95);
+  }
+}
+
+namespace {
+
+/** \brief A strip whose cross section has a curvature that is given, by the length
+ * along it from its middle: two planes far from there. Samples are a unit apart.
+ */
+Cloud::Ptr
+sweptSection (const std::function<double (double)>& curvature)
+{
+  constexpr double HALF = 40.0;
+  constexpr int ROWS = 60;
+  constexpr double STEP = 0.01;
+  auto cloud = pcl::make_shared<Cloud>();
+  std::mt19937 random (1);
+  std::uniform_real_distribution<double> jitter (-0.4, 0.4);
+  std::vector<Eigen::Vector3d> section;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  double angle = 0.0;
+  for (double s = -HALF; s <= HALF; s += STEP) {
+    section.emplace_back (place.x(), place.y(), angle);
+    place += STEP * Eigen::Vector2d (std::cos (angle), std::sin (angle));
+    angle -= STEP * curvature (s);
+  }
+  for (int row = 0; row < ROWS; ++row)
+    for (double s = -HALF + 1.0; s < HALF - 1.0; s += 1.0) {
+      const auto at = static_cast<std::size_t> ((s + jitter (random) + HALF) / STEP);
+      const Eigen::Vector3d& here = section[at];
+      pcl::PointNormal point;
+      point.getVector3fMap() =
+          Eigen::Vector3d (here.x(), row + jitter (random), here.y()).cast<float>();
+      point.getNormalVector3fMap() =
+          Eigen::Vector3d (-std::sin (here.z()), 0.0, std::cos (here.z()))
+              .cast<float>();
+      cloud->push_back (point);
+    }
+  return cloud;
+}
+
+} // namespace
+
+TEST (AutoBlends, HaveNoCrest)
+{
+  // A right angle over 20 and over 15 spacings, by one radius and by a smooth crest.
+  for (const double width : {20.0, 15.0}) {
+    const double mean = 0.5 * M_PI / width;
+    const CrestRun blend = extract (sweptSection (
+        [&] (double s) { return std::abs (s) < 0.5 * width ? mean : 0.0; }));
+    EXPECT_EQ (totalLength (blend.lines), 0.0) << width;
+    const CrestRun crest = extract (sweptSection ([&] (double s) {
+      return std::abs (s) < width ? mean * 0.5 * (1.0 + std::cos (M_PI * s / width))
+                                  : 0.0;
+    }));
+    EXPECT_GT (totalLength (crest.lines), 45.0) << width;
+    EXPECT_LT (totalLength (crest.lines), 65.0) << width;
+  }
+}
+
+TEST (AutoBoxes, HaveTheirEdgesAloneAndOnce)
+{
+  const Cloud::Ptr exact = oracle::sample (oracle::box (1.0, 1.0, 1.0), SAMPLES);
+  const double h = oracle::meanSpacing (*exact);
+  for (const double noise : {0.1, 0.3, 0.4}) {
+    const CrestRun run = extract (oracle::withNoise (*exact, noise * h));
+    EXPECT_GT (totalLength (run.lines), 0.97 * 12.0) << noise;
+    EXPECT_LT (totalLength (run.lines), 1.02 * 12.0) << noise;
   }
 }

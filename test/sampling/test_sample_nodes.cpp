@@ -253,6 +253,29 @@ TEST (SampleNodes, StraysChangeNothing)
   EXPECT_EQ (after.findings.gathered, before.findings.gathered);
 }
 
+TEST (SampleNodes, OfAVolumeItIsSaid)
+{
+  std::mt19937 random (1);
+  std::uniform_real_distribution<float> side (-1.0F, 1.0F);
+  Cloud ball;
+  while (ball.size() < 8000) {
+    const Eigen::Vector3f place (side (random), side (random), side (random));
+    if (place.norm() < 1.0F) {
+      ball.push_back (pcl::PointNormal());
+      ball.back().getVector3fMap() = place;
+    }
+  }
+  const auto words = [] (const Cloud& cloud) {
+    return explainSampling (resolve (cloud).findings);
+  };
+  EXPECT_NE (words (ball).find ("exceeds the detail"), std::string::npos);
+  const Cloud::Ptr sphere = oracle::sample (oracle::sphere (1.0), 8000);
+  const double h = oracle::meanSpacing (*sphere);
+  for (const double noise : {0.0, 1.0})
+    EXPECT_EQ (words (*oracle::addNoise (*sphere, noise * h)).find ("exceeds"),
+               std::string::npos);
+}
+
 TEST (SampleNodes, WhatIsNoSurfaceIsLeftAlone)
 {
   EXPECT_TRUE (resolve (Cloud()).isEmpty());

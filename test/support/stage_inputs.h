@@ -82,6 +82,7 @@ graphOf (std::size_t size, const std::vector<std::pair<int, int>>& edges)
     graph.offsets.push_back (graph.neighbors.size());
   }
   graph.boundary.assign (size, 0);
+  graph.spacing.assign (size, 1.0F);
   return graph;
 }
 

@@ -273,7 +273,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   request.analysis = analysis_;
   request.keep_analysis = keep_analysis_;
   crest::Extraction found = crest::extractCrests (request);
-  if (found.labels.empty())
+  if (found.labels.empty() && !found.normals)
     PCL_WARN ("[pcl::%s::compute] No point has a finite position and a normal, so "
               "that there are no crests.\n",
               getClassName().c_str());
@@ -286,6 +286,14 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
     pcl::copyPoint ((*input_)[static_cast<std::size_t> ((*indices_)[i])], output[i]);
     output[i].label = found.labelOf (isInputSurface() ? place : located[i]);
   }
+  const auto is_invalid = [] (const auto& point) {
+    return point.label == crest::LABEL_INVALID;
+  };
+  if (search_radius_ > 0.0 && std::all_of (output.begin(), output.end(), is_invalid))
+    PCL_WARN ("[pcl::%s::compute] No point has enough neighbours within the radius of "
+              "%g, which is in the unit of the cloud: set a few spacings, or k.\n",
+              getClassName().c_str(),
+              search_radius_);
   result_.curvatures = curvaturesOf (found, located, output);
   result_.lines = std::move (found.lines);
   result_.statistics = std::move (found.statistics);

@@ -67,7 +67,11 @@ inline void
 warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
 {
   const std::string doubt = explainDoubt (estimate);
-  if (!doubt.empty())
+  if (estimate.parts.empty())
+    PCL_WARN ("[pcl::%s::compute] No three points span a plane, so that there are no "
+              "normals.\n",
+              class_name.c_str());
+  else if (!doubt.empty())
     PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               class_name.c_str(),
               doubt.c_str(),
