@@ -19,6 +19,8 @@ struct AnalysisContents {
   /** of the normals that it has */
   std::shared_ptr<const NormalCheck> normal_check;
   NormalHints hints;
+  /** whether these normals were taken as they are, with trusts of their signs */
+  bool normals_trusted = false;
   SamplingFindings sampling;
   std::shared_ptr<const OrientedPoints> points;
   std::shared_ptr<const SurfaceShape> shape;

@@ -101,6 +101,10 @@ checkRequest (const ExtractionRequest& request)
   if (used_hints && !haveSameHints (known, request))
     refuse ("The analysis that is set has normals that were estimated for another "
             "viewpoint or direction up: set none when these change");
+  if (known.normals_trusted != (request.sign_trust != nullptr))
+    refuse (std::string ("The analysis that is set was made ") +
+            (known.normals_trusted ? "with" : "without") +
+            " trusts of signs: set none when that changes");
   if (known.cloud != fingerprint (request.cloud, request.parameters.threads))
     refuse (
         "The analysis that is set is that of another cloud: set none when the cloud "
@@ -363,6 +367,7 @@ extractCrests (const ExtractionRequest& request)
          result.normals,
          result.normal_check,
          request.hints,
+         request.sign_trust != nullptr,
          result.statistics.sampling,
          points,
          shape,

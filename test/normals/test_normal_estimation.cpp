@@ -473,6 +473,10 @@ TEST (NormalEstimation, SaysWhatIsWrong)
   EXPECT_EQ (refusal (request),
              "The up direction is zero or not finite: set a direction, as 0 0 1");
   request.hints.up = Eigen::Vector3f::Ones();
+  request.threads = static_cast<unsigned> (-1);
+  EXPECT_EQ (refusal (request),
+             "There are 4294967295 threads, but there must be at most 1024");
+  request.threads = 1;
   request.cloud.position = nullptr;
   EXPECT_EQ (refusal (request),
              "The cloud has no positions: point to three floats of each");

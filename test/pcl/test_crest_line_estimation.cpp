@@ -813,9 +813,7 @@ TEST (Feature, AllPointsInvalidIsNoMistake)
   testing::internal::CaptureStderr();
   estimation.compute (labels, lines);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE (said.find ("No three points span a plane"),
-             std::string::npos)
-      << said;
+  EXPECT_NE (said.find ("No three points span a plane"), std::string::npos) << said;
   EXPECT_EQ (codes (labels), std::vector<std::uint32_t> (10, LABEL_INVALID));
   EXPECT_TRUE (lines.polygons.empty());
 }

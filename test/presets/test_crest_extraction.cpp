@@ -262,6 +262,11 @@ TEST (CrestExtraction, FlippedNormalsAreTurnedBack)
   // An analysis knows what was found; only its normals depend on hints.
   request.analysis = found.analysis;
   EXPECT_EQ (extractCrests (request).normal_check, found.normal_check);
+  const std::vector<float> sure (ridge.view().size, 1.0F);
+  request.sign_trust = sure.data();
+  EXPECT_NE (refusal<std::invalid_argument> (request).find ("without trusts of signs"),
+             std::string::npos);
+  request.sign_trust = nullptr;
   request.hints.up = Eigen::Vector3f::UnitX();
   EXPECT_NE (refusal<std::invalid_argument> (request).find ("direction up"),
              std::string::npos);
@@ -271,10 +276,12 @@ TEST (CrestExtraction, StopsWhereTheCallbackSaysSo)
 {
   const Ridge ridge;
   ExtractionRequest request = requestFor (ridge.view());
-  request.progress = [] (const std::string& stage, double) {
-    return stage != "curvature";
-  };
-  EXPECT_THROW (extractCrests (request), Cancelled);
+  for (const char* last : {"normal check", "curvature"}) {
+    request.progress = [last] (const std::string& stage, double) {
+      return stage != last;
+    };
+    EXPECT_THROW (extractCrests (request), Cancelled) << last;
+  }
 }
 
 TEST (CrestExtraction, AnAnalysisSparesTheStagesThatAreTheSame)
