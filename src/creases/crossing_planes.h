@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "creases/scatter.h"
+#include "base/scatter.h"
 
 #include <array>
 #include <vector>

@@ -32,12 +32,12 @@ struct Sheet {
     constexpr std::size_t LEAST_POINTS = 8;
     Scatter scatter;
     plane.normal = normal;
-    for (std::size_t i = 0; i < positions.x.size(); ++i)
+    for (std::size_t i = 0; i < positions.size(); ++i)
       if (normals[i].dot (normal) > LEAST_COSINE)
         points.push_back (i);
     if (points.size() < LEAST_POINTS)
       return false;
-    scatter.add (positions, 0, positions.x.size(), [&] (std::size_t i) {
+    scatter.add (positions, 0, positions.size(), [&] (std::size_t i) {
       return normals[i].dot (normal) > LEAST_COSINE ? 1.0 : 0.0;
     });
     return scatter.fitPlane (plane) &&
@@ -78,7 +78,7 @@ struct RimFrame {
     constexpr double FAR_BEYOND = 2.0;
     constexpr double ASIDE = 1.5;
     std::size_t beyond = 0;
-    for (std::size_t i = 0; i < positions.x.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
       const double past = outward.dot (positions[i]) - end;
       if (past > BEYOND && past < FAR_BEYOND &&
           std::abs (along.dot (positions[i])) < ASIDE)

@@ -2,7 +2,7 @@
 // The rim of a plate that is too thin for the edges on either side of it.
 #pragma once
 
-#include "creases/scatter.h"
+#include "base/scatter.h"
 
 #include <optional>
 

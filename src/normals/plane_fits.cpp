@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/quantile.h"
+#include "base/scatter.h"
 #include "search/leaf_search.h"
 
 #include <array>
@@ -30,42 +31,6 @@ constexpr double FLAT = 0.2;
 constexpr double ROUND = 0.45;
 /** By how much wider windows scatter where they show a shape, not noise. */
 constexpr double SHAPE = 1.3;
-
-/** \brief The first two moments of offsets. */
-class Moments {
-public:
-  void
-  add (const Eigen::Vector3d& offset)
-  {
-    ++count_;
-    sum_ += offset;
-    products_.noalias() += offset * offset.transpose();
-  }
-
-  double
-  count () const
-  {
-    return count_;
-  }
-
-  Eigen::Vector3d
-  mean () const
-  {
-    return sum_ / count_;
-  }
-
-  /** \brief Sum of squared deviations from the mean. */
-  Eigen::Matrix3d
-  scatter () const
-  {
-    return products_ - sum_ * sum_.transpose() / count_;
-  }
-
-private:
-  double count_ = 0.0;
-  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products_ = Eigen::Matrix3d::Zero();
-};
 
 /** \brief Principal axes of a scatter, the smallest first. */
 struct Axes {
@@ -135,89 +100,99 @@ mostOfTwoSheets (double count)
  * they do: found by turns of splitting the heights and fitting one normal to both.
  */
 std::optional<PlaneFit>
-fitTwoSheets (const std::vector<Eigen::Vector3d>& offsets,
-              const Moments& all,
-              const Axes& axes)
+fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
 {
   constexpr int ROUNDS = 4;
   constexpr double TURNED = 0.5;
-  // Heights that are spread evenly keep a quarter of their variance when split.
+  // Heights that are spread evenly keep a quarter of their variance when split, and
+  // more than a third if they are noise: then no better normal will make clumps of
+  // them.
   constexpr double CLUMPS = 0.08;
+  constexpr double HOPELESS = 0.3;
+  const double count = all.weight();
   Eigen::Vector3d normal = axes.normal;
-  double split = normal.dot (all.mean());
-  std::array<Moments, 2> sheets;
+  double split = normal.dot (all.center());
+  std::array<Scatter, 2> sheets;
   double within = 0.0;
   double radius = 0.0;
   for (int round = 0; round < ROUNDS; ++round) {
-    sheets = {};
-    for (const Eigen::Vector3d& offset : offsets)
-      sheets[normal.dot (offset) < split ? 0 : 1].add (offset);
-    if (std::min (sheets[0].count(), sheets[1].count()) < LEAST_OF_SHEET)
+    Scatter differences;
+    differences.add (offsets, 0, offsets.size(), [&] (std::size_t i) {
+      return normal.x() * offsets.x[i] + normal.y() * offsets.y[i] +
+                         normal.z() * offsets.z[i] <
+                     split
+                 ? 1.0
+                 : -1.0;
+    });
+    sheets = {all.part (differences, 1.0), all.part (differences, -1.0)};
+    if (std::min (sheets[0].weight(), sheets[1].weight()) < LEAST_OF_SHEET)
       return std::nullopt;
-    const Axes pooled ((sheets[0].scatter() + sheets[1].scatter()) / all.count());
+    const Axes pooled ((sheets[0].products() + sheets[1].products()) / count);
     const double cosine = pooled.normal.dot (normal);
     if (std::abs (cosine) <= TURNED)
       return std::nullopt;
     normal = cosine < 0.0 ? (-pooled.normal).eval() : pooled.normal;
     within = pooled.variances[0];
     radius = pooled.radius();
-    split = 0.5 * normal.dot (sheets[0].mean() + sheets[1].mean());
+    split = 0.5 * normal.dot (sheets[0].center() + sheets[1].center());
+    if (round > 0 && within * count > HOPELESS * normal.dot (all.products() * normal))
+      return std::nullopt;
   }
-  if (!(within * all.count() < CLUMPS * normal.dot (all.scatter() * normal)))
+  if (!(within * count < CLUMPS * normal.dot (all.products() * normal)))
     return std::nullopt;
   const int own = 0.0 < split ? 0 : 1;
   PlaneFit fit;
   fit.normal = normal.cast<float>();
-  fit.height = normal.dot (sheets[own].mean());
+  fit.height = normal.dot (sheets[own].center());
   fit.middle = split - fit.height;
-  fit.sigma = std::sqrt (within * all.count() / std::max (1.0, all.count() - 4.0));
+  fit.sigma = std::sqrt (within * count / std::max (1.0, count - 4.0));
   fit.roughness = fit.sigma / radius;
   return fit;
 }
 
 /** \brief The kurtosis of heights above a plane. */
 double
-kurtosisOf (const std::vector<Eigen::Vector3d>& offsets,
-            const Eigen::Vector3d& normal,
-            double plane)
+kurtosisOf (const Coordinates& offsets, const Eigen::Vector3d& normal, double plane)
 {
   double squares = 0.0;
   double fourths = 0.0;
-  for (const Eigen::Vector3d& offset : offsets) {
-    const double square = std::pow (normal.dot (offset) - plane, 2);
-    squares += square;
-    fourths += square * square;
+  const std::size_t count = offsets.size();
+#pragma omp simd reduction(+ : squares, fourths)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double height = normal.x() * offsets.x[i] + normal.y() * offsets.y[i] +
+                          normal.z() * offsets.z[i] - plane;
+    squares += height * height;
+    fourths += height * height * height * height;
   }
-  const auto count = static_cast<double> (offsets.size());
-  return squares > 0.0 ? fourths * count / (squares * squares) : 3.0;
+  return squares > 0.0 ? fourths * static_cast<double> (count) / (squares * squares)
+                       : 3.0;
 }
 
 /** \brief The plane through the offsets of neighbours from a sample.
  * \param[in] rounding of the coordinates
  */
 PlaneFit
-fitPlane (const std::vector<Eigen::Vector3d>& offsets, double rounding)
+fitPlane (const Coordinates& offsets, double rounding)
 {
   PlaneFit fit;
-  Moments all;
-  for (const Eigen::Vector3d& offset : offsets)
-    all.add (offset);
-  if (all.count() < 3.0)
+  Scatter all;
+  all.add (offsets, 0, offsets.size(), [] (std::size_t) { return 1.0; });
+  const double count = all.weight();
+  if (count < 3.0)
     return fit;
-  const Axes axes (all.scatter() / all.count());
+  const Axes axes (all.products() / count);
   if (!axes.spanPlane (rounding))
     return fit;
   fit.plain = fit.normal = axes.normal.cast<float>();
   fit.variation = axes.variances[0] / axes.variances.sum();
-  fit.height = axes.normal.dot (all.mean());
-  fit.sigma =
-      std::sqrt (axes.variances[0] * all.count() / std::max (1.0, all.count() - 3.0));
+  fit.height = axes.normal.dot (all.center());
+  fit.sigma = std::sqrt (axes.variances[0] * count / std::max (1.0, count - 3.0));
   fit.roughness = fit.sigma / axes.radius();
   if (fit.roughness > 0.5 * FLAT) {
     fit.kurtosis = kurtosisOf (offsets, axes.normal, fit.height);
     constexpr double ALONG = 1.5 * FLAT;
     std::optional<PlaneFit> sheets;
-    if (fit.roughness > ALONG || fit.kurtosis < mostOfTwoSheets (all.count()))
+    if (fit.roughness > ALONG || fit.kurtosis < mostOfTwoSheets (count))
       sheets = fitTwoSheets (offsets, all, axes);
     if (sheets) {
       sheets->variation = fit.variation;
@@ -317,10 +292,13 @@ private:
           static_cast<std::size_t> (found.first) + static_cast<std::size_t> (i);
       const std::size_t begin = found.offsets[i];
       const std::size_t end = found.offsets[i + 1];
-      offsets_.assign (1, Eigen::Vector3d::Zero());
-      for (std::size_t j = begin; j < std::min (begin + wanted, end); ++j)
-        offsets_.push_back (
-            (position (found.places[j]) - position (place)).cast<double>());
+      const std::size_t count = std::min (wanted, end - begin);
+      offsets_.resize (1 + count);
+      offsets_.set (0, Eigen::Vector3d::Zero());
+      for (std::size_t j = 0; j < count; ++j)
+        offsets_.set (
+            1 + j,
+            (position (found.places[begin + j]) - position (place)).cast<double>());
       constexpr double PRECISION = 2e-7;
       windows[i] =
           fitPlane (offsets_, PRECISION * position (place).cwiseAbs().maxCoeff());
@@ -375,7 +353,7 @@ private:
   /** of each growth the lower quartile over the group */
   std::array<double, GROWTHS> roughness_{};
   std::array<double, GROWTHS> sigma_{};
-  std::vector<Eigen::Vector3d> offsets_;
+  Coordinates offsets_;
 };
 
 /** \brief Stray points stand for no more of the surface than what is near by: their own

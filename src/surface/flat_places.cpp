@@ -40,6 +40,78 @@ struct WindowFit {
   double radius;
 };
 
+/** \brief The sums that a quadric height function is fitted from: the moments of places
+ * u, v, up to the fourth, and of heights with the terms 1, u, v, uu, uv, vv.
+ */
+class QuadricMoments {
+public:
+  /** \param[in] u, v, height of `count` points */
+  QuadricMoments (const double* u,
+                  const double* v,
+                  const double* height,
+                  std::size_t count)
+  : count_ (static_cast<double> (count))
+  {
+    double s10 = 0.0, s01 = 0.0, s20 = 0.0, s11 = 0.0, s02 = 0.0, s30 = 0.0, s21 = 0.0;
+    double s12 = 0.0, s03 = 0.0, s40 = 0.0, s31 = 0.0, s22 = 0.0, s13 = 0.0, s04 = 0.0;
+    double h = 0.0, hu = 0.0, hv = 0.0, huu = 0.0, huv = 0.0, hvv = 0.0, hh = 0.0;
+#pragma omp simd reduction(+ : s10, s01, s20, s11, s02, s30, s21, s12, s03, s40, s31)  \
+    reduction(+ : s22, s13, s04, h, hu, hv, huu, huv, hvv, hh)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double uu = u[i] * u[i];
+      const double uv = u[i] * v[i];
+      const double vv = v[i] * v[i];
+      s10 += u[i];
+      s01 += v[i];
+      s20 += uu;
+      s11 += uv;
+      s02 += vv;
+      s30 += uu * u[i];
+      s21 += uu * v[i];
+      s12 += vv * u[i];
+      s03 += vv * v[i];
+      s40 += uu * uu;
+      s31 += uu * uv;
+      s22 += uv * uv;
+      s13 += uv * vv;
+      s04 += vv * vv;
+      h += height[i];
+      hu += height[i] * u[i];
+      hv += height[i] * v[i];
+      huu += height[i] * uu;
+      huv += height[i] * uv;
+      hvv += height[i] * vv;
+      hh += height[i] * height[i];
+    }
+    products_ << count_, s10, s01, s20, s11, s02, //
+        s10, s20, s11, s30, s21, s12,             //
+        s01, s11, s02, s21, s12, s03,             //
+        s20, s30, s21, s40, s31, s22,             //
+        s11, s21, s12, s31, s22, s13,             //
+        s02, s12, s03, s22, s13, s04;
+    heights_ << h, hu, hv, huu, huv, hvv;
+    squared_heights_ = hh;
+  }
+
+  /** \brief The coefficients of the terms.
+   * \param[out] left the standard deviation from the quadric
+   */
+  Eigen::Matrix<double, TERMS, 1>
+  fit (double& left) const
+  {
+    const Eigen::Matrix<double, TERMS, 1> quadric = products_.ldlt().solve (heights_);
+    left = std::sqrt (std::max (0.0, squared_heights_ - quadric.dot (heights_)) /
+                      (count_ - TERMS));
+    return quadric;
+  }
+
+private:
+  double count_;
+  Eigen::Matrix<double, TERMS, TERMS> products_;
+  Eigen::Matrix<double, TERMS, 1> heights_;
+  double squared_heights_;
+};
+
 /** \brief Fits windows around one sample after the other. */
 class FootFitter {
 public:
@@ -69,30 +141,29 @@ public:
       if (normals_[q].dot (normal) > least_cosine_)
         near_.emplace_back ((places_[q] - place).cast<double>().squaredNorm(), q);
     std::sort (near_.begin(), near_.end());
+    if (near_.size() > WIDEST)
+      near_.resize (WIDEST);
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      steps_.row (static_cast<Eigen::Index> (i)) =
+          points_.edge (sample, near_[i].second).transpose();
   }
 
   /** \brief Fits to the nearest, or to all where fewer are there. Returns false where
    * these tell nothing.
    */
   bool
-  fit (int window, WindowFit& result) const
+  fit (int window, WindowFit& result)
   {
     const auto count = std::min (near_.size(), static_cast<std::size_t> (window));
     if (count < LEAST_NEIGHBORS)
       return false;
     const auto size = static_cast<double> (count);
-    const auto step = [this] (std::size_t i) -> Eigen::Vector3d {
-      return points_.positions[near_[i].second].cast<double>() -
-             points_.positions[sample_].cast<double>();
-    };
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-      mean += step (i) / size;
-      squares += step (i) * step (i).transpose();
-    }
-    squares -= size * mean * mean.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (squares);
+    const auto steps = steps_.topRows (static_cast<Eigen::Index> (count));
+    const Eigen::Vector3d mean = steps.colwise().mean();
+    const Eigen::Matrix3d squares =
+        steps.transpose() * steps - size * mean * mean.transpose();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+    axes.computeDirect (squares);
     Eigen::Vector3d n = axes.eigenvectors().col (0);
     if (n.dot (normals_[sample_].cast<double>()) < 0.0)
       n = -n;
@@ -102,33 +173,28 @@ public:
         std::sqrt (2.0 * (axes.eigenvalues()[1] + axes.eigenvalues()[2]) / size);
     if (!(radius > 0.0))
       return false;
+    Eigen::Matrix3d frame;
+    frame << x, y, n;
+    auto places = places_and_heights_.topRows (static_cast<Eigen::Index> (count));
+    places.noalias() = steps * (frame / radius);
 
-    using Terms = Eigen::Matrix<double, TERMS, 1>;
-    Eigen::Matrix<double, TERMS, TERMS> products =
-        Eigen::Matrix<double, TERMS, TERMS>::Zero();
-    Terms heights = Terms::Zero();
-    double squared_heights = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d e = step (i) / radius;
-      const double u = e.dot (x);
-      const double v = e.dot (y);
-      const double height = e.dot (n);
-      const Terms terms = (Terms() << 1.0, u, v, u * u, u * v, v * v).finished();
-      products += terms * terms.transpose();
-      heights += height * terms;
-      squared_heights += height * height;
-    }
-    const Terms quadric = products.ldlt().solve (heights);
-    const double left = std::max (0.0, squared_heights - quadric.dot (heights));
+    double left = 0.0;
+    const auto quadric =
+        QuadricMoments (
+            places.col (0).data(), places.col (1).data(), places.col (2).data(), count)
+            .fit (left);
     result.foot = points_.positions[sample_].cast<double>() + radius * quadric[0] * n;
     result.normal = (n - quadric[1] * x - quadric[2] * y).normalized();
-    result.noise = radius * std::sqrt (left / (size - TERMS));
+    result.noise = radius * left;
     result.spacing = radius * std::sqrt (M_PI / size);
     result.radius = radius;
     return result.foot.allFinite() && result.normal.allFinite();
   }
 
 private:
+  static constexpr std::size_t WIDEST = WINDOWS.back();
+  using Rows = Eigen::Matrix<double, static_cast<int> (WIDEST), 3>;
+
   const OrientedPoints& points_;
   const std::vector<Eigen::Vector3f>& places_;
   const std::vector<Eigen::Vector3f>& normals_;
@@ -136,6 +202,10 @@ private:
   index_t sample_ = 0;
   /** squared distances of places, and samples */
   std::vector<std::pair<double, index_t>> near_;
+  /** from the sample to those that are near, and the same in the frame of the window
+   * and in its radius */
+  Rows steps_;
+  Rows places_and_heights_;
 };
 
 /** \brief The first quartile; 0 of none. */
@@ -155,7 +225,7 @@ flattenOnce (const OrientedPoints& points,
   const std::vector<Eigen::Vector3f> positions = places.positions;
   const std::vector<Eigen::Vector3f> normals = places.normals;
   const std::shared_ptr<const PointTree> tree = treeOver (positions, workers.threads);
-  const auto flatten = [&places] (index_t sample, const FootFitter& fitter) {
+  const auto flatten = [&places] (index_t sample, FootFitter& fitter) {
     WindowFit fit;
     for (const int window : WINDOWS) {
       if (!fitter.fit (window, fit))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// How points of a window lie, and planes through them.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -37,6 +38,12 @@ struct Coordinates {
     x.resize (size);
     y.resize (size);
     z.resize (size);
+  }
+
+  std::size_t
+  size () const
+  {
+    return x.size();
   }
 
   void
@@ -112,6 +119,13 @@ public:
     return result;
   }
 
+  /** \brief The sum of weights. */
+  double
+  weight () const
+  {
+    return weight_;
+  }
+
   Eigen::Vector3d
   center () const
   {
@@ -122,6 +136,13 @@ public:
   sum () const
   {
     return sum_;
+  }
+
+  /** \brief The sum of the products of coordinates from the center. */
+  Eigen::Matrix3d
+  products () const
+  {
+    return squares_ - sum_ / weight_ * sum_.transpose();
   }
 
   /** \brief What the residual of the best plane is at least, for little time: of the
@@ -251,13 +272,6 @@ private:
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect (m);
     return solver.eigenvectors().col (place);
-  }
-
-  /** \brief The sum of the products of coordinates from the center. */
-  Eigen::Matrix3d
-  products () const
-  {
-    return squares_ - sum_ / weight_ * sum_.transpose();
   }
 
   double weight_ = 0.0;

@@ -2,7 +2,7 @@
 // Axes of scattered points against Eigen's iterative solver.
 #include <gtest/gtest.h>
 
-#include "creases/scatter.h"
+#include "base/scatter.h"
 
 #include <random>
 
