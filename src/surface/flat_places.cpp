@@ -99,7 +99,7 @@ public:
   Eigen::Matrix<double, TERMS, 1>
   fit (double& left) const
   {
-    const Eigen::Matrix<double, TERMS, 1> quadric = products_.ldlt().solve (heights_);
+    Eigen::Matrix<double, TERMS, 1> quadric = products_.ldlt().solve (heights_);
     left = std::sqrt (std::max (0.0, squared_heights_ - quadric.dot (heights_)) /
                       (count_ - TERMS));
     return quadric;
