@@ -112,6 +112,7 @@ orientSamples (const PointTree& tree,
   result.normals = std::move (parts.normals);
   result.part = std::move (parts.part);
   result.trust = std::move (signs.trust);
+  doubtTips (tree, fits, result.normals, workers, result.trust);
   result.sides = std::move (sides.of_parts);
   for (std::size_t i = 0; i < fits.size(); ++i)
     if (result.part[i] >= 0) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/sharp_normals.h"
 
+#include <pcl_crest/normal_estimation.h>
+
 #include "base/parallel.h"
 #include "normals/sign_votes.h"
 #include "search/leaf_search.h"
@@ -72,6 +74,39 @@ sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers)
       });
   for (std::size_t i = 0; i < rough.size(); ++i)
     fits.plain[rough[i]] = chosen[i];
+}
+
+void
+doubtTips (const PointTree& tree,
+           const PlaneFits& fits,
+           const std::vector<Eigen::Vector3f>& normals,
+           const Workers& workers,
+           std::vector<float>& trust)
+{
+  // Of the radius: what a wedge of 40 degrees leaves.
+  constexpr float ROUGH = 0.1F;
+  constexpr float OPPOSITE = -0.5F;
+  // In spacings.
+  constexpr float THROUGH = 0.45F;
+  constexpr float DOUBT = 0.8F * SURE_SIGN;
+  forEachBlock (
+      fits.size(), workers, [&] (std::size_t, std::size_t i, std::size_t last) {
+        LeafSearch search (tree, {PlaneFits::NEAREST});
+        for (; i < last; ++i) {
+          if (fits.sigmas[i] <= ROUGH * fits.radii[i])
+            continue;
+          const LeafNeighbors& found =
+              search.searchPoint (static_cast<std::int32_t> (i));
+          for (std::size_t j = found.offsets[0]; j < found.offsets[1]; ++j) {
+            const auto other = static_cast<std::size_t> (found.places[j]);
+            const Eigen::Vector3f& normal = normals[other];
+            if (normal.dot (normals[i]) < OPPOSITE &&
+                std::abs (normal.dot (fits.positions[i] - fits.positions[other])) <
+                    THROUGH * fits.spacing (i))
+              trust[i] = std::min (trust[i], DOUBT);
+          }
+        }
+      });
 }
 
 std::vector<Eigen::Vector3f>

@@ -20,6 +20,21 @@ namespace crest {
 void
 sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers);
 
+/** \brief Doubts the signs of samples in the tips of wedges: where the plane of a
+ * neighbour that looks the other way passes through them, so that they may be on either
+ * side.
+ *
+ * \param[in] normals of the samples with their signs
+ *
+ * \param[in,out] trust of these
+ */
+void
+doubtTips (const PointTree& tree,
+           const PlaneFits& fits,
+           const std::vector<Eigen::Vector3f>& normals,
+           const Workers& workers,
+           std::vector<float>& trust);
+
 /** \brief The normals of the k nearest with the signs of the windows that noise asked
  * for. Where the two look elsewhere, as at rims of thin plates, the neighbours decide.
  *

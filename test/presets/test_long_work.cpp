@@ -108,10 +108,14 @@ TEST (LongWork, ProgressGoesFromStageToStageToTheEnd)
     Labels labels;
     estimation.compute (labels);
     EXPECT_EQ (labels.size(), cloud()->size());
-    std::vector<std::string> expected{
-        "search tree", "surface graph", "curvature", "crest points", "lines"};
+    std::vector<std::string> expected{"normal check",
+                                      "search tree",
+                                      "surface graph",
+                                      "curvature",
+                                      "crest points",
+                                      "lines"};
     if (preset == Preset::AUTO) {
-      expected.insert (expected.begin() + 2, "creases");
+      expected.insert (expected.begin() + 3, "creases");
       expected.insert (expected.begin(), "sampling");
     }
     EXPECT_EQ (stages, expected);
