@@ -2,7 +2,6 @@
 #include "creases/plate_rim.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -30,15 +29,18 @@ struct Sheet {
        double most)
   {
     constexpr std::size_t LEAST_POINTS = 8;
-    Scatter scatter;
-    plane.normal = normal;
+    const auto isOf = [&] (std::size_t i) {
+      return normals[i].dot (normal) > LEAST_COSINE;
+    };
     for (std::size_t i = 0; i < positions.size(); ++i)
-      if (normals[i].dot (normal) > LEAST_COSINE)
+      if (isOf (i))
         points.push_back (i);
     if (points.size() < LEAST_POINTS)
       return false;
+    plane.normal = normal;
+    Scatter scatter;
     scatter.add (positions, 0, positions.size(), [&] (std::size_t i) {
-      return normals[i].dot (normal) > LEAST_COSINE ? 1.0 : 0.0;
+      return isOf (i) ? 1.0 : 0.0;
     });
     return scatter.fitPlane (plane) &&
            plane.residual <= most * static_cast<double> (points.size());
@@ -102,8 +104,9 @@ fitPlateRim (const Coordinates& positions,
   constexpr double FARTHEST = 1.0;
   Sheet near;
   Sheet far;
-  if (!near.fit (positions, normals, own, most) ||
-      !far.fit (positions, normals, -own, most))
+  // Most samples have no far one.
+  if (!far.fit (positions, normals, -own, most) ||
+      !near.fit (positions, normals, own, most))
     return std::nullopt;
   const Eigen::Vector3d& n = near.plane.normal;
   const double thickness = n.dot (near.plane.center - far.plane.center);

@@ -114,7 +114,6 @@ seemContradictory (const DistinctPoints& distinct,
 bool
 lookInward (const DistinctPoints& distinct, const std::vector<Eigen::Vector3f>& axes)
 {
-  constexpr double MOST_OPEN = 0.25;
   constexpr double CLEARLY = 0.2;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3f& position : distinct.positions)
@@ -304,43 +303,46 @@ sidesOf (const PointTree& tree,
   return sides;
 }
 
-/** \brief Enters what becomes of the normals of the points at one place.
- *
- * \param[in] normal that they should have, unless it is not sure
+/** \brief What the surroundings say of the normals at a place. */
+struct Verdict {
+  /** that they should be, and how sure its sign is, and the side of its part */
+  Eigen::Vector3f normal;
+  float trust;
+  float side_trust;
+  /** whether it counts against a given one */
+  bool is_sure;
+};
+
+/** \brief Enters what becomes of the normal of a point.
  *
  * \param[in] replaces whether no given normal counts
  */
 void
-checkPlace (const DistinctPoints& distinct,
-            std::size_t position,
-            const Eigen::Vector3f& normal,
-            bool is_sure,
-            bool replaces,
-            NormalCheck& check)
+judge (std::size_t point, const Verdict& verdict, bool replaces, NormalCheck& check)
 {
-  for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
-       ++i) {
-    const auto point = static_cast<std::size_t> (distinct.points[i].cloud_index);
-    Eigen::Vector3f& given = check.normals[point];
-    if (replaces)
-      given = normal;
-    else if (!isUsable (given)) {
-      if (!is_sure)
-        continue;
-      given = normal;
-      ++check.findings.filled;
-    }
-    else if (given.dot (normal) < 0.0F) {
-      if (is_sure)
-        given = -given;
-      else
-        check.trust[point] = std::min (check.trust[point], GUESSED_SIDE);
-      ++(is_sure ? check.findings.turned : check.findings.doubtful);
-    }
+  Eigen::Vector3f& given = check.normals[point];
+  check.trust[point] = std::min (verdict.trust, verdict.side_trust);
+  if (verdict.side_trust < SURE_SIGN)
+    ++check.findings.guessed;
+  if (replaces)
+    given = verdict.normal;
+  else if (!isUsable (given)) {
+    if (!verdict.is_sure)
+      return;
+    given = verdict.normal;
+    ++check.findings.filled;
+  }
+  else if (given.dot (verdict.normal) < 0.0F) {
+    if (verdict.is_sure)
+      given = -given;
+    else
+      check.trust[point] = std::min (check.trust[point], A_GUESS);
+    ++(verdict.is_sure ? check.findings.turned : check.findings.doubtful);
   }
 }
 
-void
+/** \brief Turns, fills and counts. Returns whether no given normal counted. */
+bool
 repair (const PointView& cloud,
         const DistinctPoints& distinct,
         std::vector<Eigen::Vector3f> axes,
@@ -354,10 +356,8 @@ repair (const PointView& cloud,
   PlaneFits fits = fitPlanes (*tree, NEIGHBORS, workers);
   sharpenNormals (*tree, fits, workers);
   const bool replaces = standAcross (*tree, fits, axes);
-  if (replaces) {
-    check.findings.across = axes.size();
+  if (replaces)
     axes.assign (axes.size(), Eigen::Vector3f::Zero());
-  }
   adopt (*tree, axes, fits);
   const ConsistentSigns signs =
       findConsistentSigns (findVotes (*tree, fits, workers), fits, workers);
@@ -381,21 +381,19 @@ repair (const PointView& cloud,
     const std::size_t position = indexAt (*tree, place);
     if (!axes[position].isZero (0.0F))
       normals[place] = fits.normals[place];
-    const bool is_sure = signs.trust[place] >= SURE_SIGN && back_to_back[place] == 0;
+    const Verdict verdict{sides[part].turned ? (-normals[place]).eval()
+                                             : normals[place],
+                          signs.trust[place],
+                          sides[part].trust,
+                          signs.trust[place] >= SURE_SIGN && back_to_back[place] == 0};
     for (std::size_t i = distinct.begins[position]; i < distinct.begins[position + 1];
-         ++i) {
-      check.trust[distinct.points[i].cloud_index] =
-          std::min (signs.trust[place], sides[part].trust);
-      if (sides[part].trust < SURE_SIGN)
-        ++check.findings.guessed;
-    }
-    checkPlace (distinct,
-                position,
-                sides[part].turned ? (-normals[place]).eval() : normals[place],
-                is_sure,
-                replaces,
-                check);
+         ++i)
+      judge (static_cast<std::size_t> (distinct.points[i].cloud_index),
+             verdict,
+             replaces,
+             check);
   }
+  return replaces;
 }
 
 } // namespace
@@ -410,15 +408,19 @@ checkNormals (const PointView& cloud, const NormalHints& hints, const Workers& w
     if (!cloud.positionOf (i).allFinite())
       continue;
     const Eigen::Vector3f normal = cloud.normalOf (i);
-    ++(isUsable (normal) ? usable : check.findings.missing);
-    if (isUsable (normal) && std::abs (normal.stableNorm() - 1.0F) > UNIT)
+    if (!isUsable (normal)) {
+      ++check.findings.missing;
+      continue;
+    }
+    ++usable;
+    if (std::abs (normal.stableNorm() - 1.0F) > UNIT)
       ++check.findings.not_unit;
   }
   const DistinctPoints distinct = takeDistinct (cloud, workers.threads);
   const std::vector<Eigen::Vector3f> axes = axesOf (cloud, distinct);
-  if (check.findings.missing != 0 || seemContradictory (distinct, axes, workers))
-    repair (cloud, distinct, axes, hints, workers, check);
-  if (check.findings.across != 0)
+  const bool is_suspect =
+      check.findings.missing != 0 || seemContradictory (distinct, axes, workers);
+  if (is_suspect && repair (cloud, distinct, axes, hints, workers, check))
     check.findings.across = usable;
   else if (lookInward (distinct, axes))
     check.findings.inward = usable;

@@ -68,13 +68,10 @@ weighViewpoint (const PlaneFits& fits,
   NormalHints weighed = hints;
   if (hints.viewpoint && !hints.viewpoint_assumed)
     return weighed;
-  const auto is_image = [&] {
-    return hints.viewpoint && hints.organized
-               ? !areGridOfMap (fits, workers)
-               : areSpacedAsSeenFrom (fits, origin, workers) &&
-                     isSeenFrom (fits, origin, workers);
-  };
-  weighed.organized = is_image();
+  weighed.organized = hints.viewpoint && hints.organized
+                          ? !areGridOfMap (fits, workers)
+                          : areSpacedAsSeenFrom (fits, origin, workers) &&
+                                isSeenFrom (fits, origin, workers);
   weighed.viewpoint_assumed = !weighed.organized;
   if (weighed.organized)
     weighed.viewpoint = origin;
@@ -105,7 +102,7 @@ orientSamples (const PointTree& tree,
     if (auto seen = lookToViewpoint (tree,
                                      fits,
                                      *hints.viewpoint,
-                                     hints.viewpoint_assumed ? GUESSED_SIDE : 1.0F,
+                                     hints.viewpoint_assumed ? A_GUESS : 1.0F,
                                      workers))
       return std::move (*seen);
   SampleNormals result;

@@ -10,9 +10,6 @@ namespace crest {
 
 namespace {
 
-/** The largest sum of the normals of a closed part, of its area. */
-constexpr double MOST_OPEN = 0.25;
-
 /** \brief Sums over a part, weighted by area up to a factor. */
 struct PartSums {
   std::size_t samples = 0;
@@ -30,8 +27,7 @@ struct PartSums {
   double error = 0.0;
 
   /** \brief Whether its normals add up to nothing much, as those of a closed surface
-   * do. A quarter leaves room for scans with holes and uneven sampling; a hemisphere
-   * has one half, a height field nearly one.
+   * do.
    */
   bool
   facesAllWays () const
@@ -149,7 +145,7 @@ sideOf (const PartSums& part, const NormalHints& hints)
     return {NormalSide::VIEWPOINT,
             part.facing < 0.0,
             std::min (static_cast<float> (std::abs (part.facing) / part.area),
-                      hints.viewpoint_assumed ? GUESSED_SIDE : 1.0F)};
+                      hints.viewpoint_assumed ? A_GUESS : 1.0F)};
   // Surely upward is what faces that way on the whole, and clearly more than down.
   const Eigen::Vector3d up =
       hints.up.value_or (Eigen::Vector3f::UnitZ()).cast<double>().stableNormalized();
@@ -161,7 +157,7 @@ sideOf (const PartSums& part, const NormalHints& hints)
     trust = 0.0;
   return {NormalSide::UP,
           rise < 0.0,
-          std::min (static_cast<float> (trust), hints.up ? 1.0F : GUESSED_SIDE)};
+          std::min (static_cast<float> (trust), hints.up ? 1.0F : A_GUESS)};
 }
 
 } // namespace

@@ -26,9 +26,15 @@ struct PartSide {
   float trust = 0.0F;
 };
 
-/** The trust in a side that nothing but convention speaks for. */
-constexpr float GUESSED_SIDE = 0.4F;
-static_assert (GUESSED_SIDE < SURE_SIGN, "a guess is not sure");
+/** The trust in a side that is a guess. */
+constexpr float A_GUESS = 0.4F;
+static_assert (A_GUESS < SURE_SIGN, "a guess is not sure");
+
+/** The largest sum of the normals of a closed part, of its area: a quarter leaves room
+ * for scans with holes and uneven sampling; a hemisphere has one half, a height field
+ * nearly one.
+ */
+constexpr double MOST_OPEN = 0.25;
 
 struct PartSides {
   std::vector<PartSide> of_parts;

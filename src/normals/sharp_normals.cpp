@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/sharp_normals.h"
 
-#include <pcl_crest/normal_estimation.h>
-
 #include "base/parallel.h"
+#include "normals/part_sides.h"
 #include "normals/sign_votes.h"
 #include "search/leaf_search.h"
 
@@ -88,7 +87,6 @@ doubtTips (const PointTree& tree,
   constexpr float OPPOSITE = -0.5F;
   // In spacings.
   constexpr float THROUGH = 0.45F;
-  constexpr float DOUBT = 0.8F * SURE_SIGN;
   forEachBlock (
       fits.size(), workers, [&] (std::size_t, std::size_t i, std::size_t last) {
         LeafSearch search (tree, {PlaneFits::NEAREST});
@@ -103,7 +101,7 @@ doubtTips (const PointTree& tree,
             if (normal.dot (normals[i]) < OPPOSITE &&
                 std::abs (normal.dot (fits.positions[i] - fits.positions[other])) <
                     THROUGH * fits.spacing (i))
-              trust[i] = std::min (trust[i], DOUBT);
+              trust[i] = std::min (trust[i], A_GUESS);
           }
         }
       });

@@ -41,6 +41,25 @@ check (const Cloud& cloud, const NormalHints& hints = {}, unsigned threads = 2)
 
 using IsFlipped = std::function<bool (const pcl::PointNormal&)>;
 
+Cloud
+flipped (Cloud cloud, const IsFlipped& is_flipped)
+{
+  for (pcl::PointNormal& point : cloud)
+    if (is_flipped (point))
+      point.getNormalVector3fMap() *= -1.0F;
+  return cloud;
+}
+
+/** \brief How many normals after a check are further than 60 degrees off. */
+std::size_t
+countOff (const NormalCheck& found, const Cloud& right)
+{
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    off += found.normals[i].dot (right[i].getNormalVector3fMap()) < 0.5F ? 1 : 0;
+  return off;
+}
+
 /** \brief Of a cloud whose normals are turned over where it says so how many are not
  * as they were after the check, as a part of all.
  */
@@ -49,10 +68,7 @@ wrongAfter (const Cloud& right,
             const IsFlipped& is_flipped,
             const NormalHints& hints = {})
 {
-  Cloud cloud = right;
-  for (pcl::PointNormal& point : cloud)
-    if (is_flipped (point))
-      point.getNormalVector3fMap() *= -1.0F;
+  const Cloud cloud = flipped (right, is_flipped);
   const NormalCheck found = check (cloud, hints);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -157,21 +173,17 @@ TEST (GivenNormals, NumbersThatAreNoneAreReplaced)
     EXPECT_EQ (found.findings.across, cloud.size());
     EXPECT_NE (explainFindings (found.findings).find ("stand across"),
                std::string::npos);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      wrong += found.normals[i].dot (right[i].getNormalVector3fMap()) < 0.5F ? 1 : 0;
-    EXPECT_LT (wrong, cloud.size() / 100);
+    EXPECT_LT (countOff (found, right), cloud.size() / 100);
   }
 }
 
 TEST (GivenNormals, ABodyTurnedInsideOutIsSaidToBe)
 {
   for (const char* name : {"dodecahedron", "torus", "cube with holes"}) {
-    Cloud cloud = solid (name);
+    const Cloud cloud = solid (name);
     EXPECT_EQ (check (cloud).findings.inward, 0U) << name;
-    for (pcl::PointNormal& point : cloud)
-      point.getNormalVector3fMap() *= -1.0F;
-    EXPECT_EQ (check (cloud).findings.inward, cloud.size()) << name;
+    const Cloud turned = flipped (cloud, [] (const pcl::PointNormal&) { return true; });
+    EXPECT_EQ (check (turned).findings.inward, cloud.size()) << name;
   }
   EXPECT_EQ (check (solid ("terrain")).findings.inward, 0U);
 }
@@ -185,20 +197,12 @@ TEST (GivenNormals, AFewDecideNoSide)
     cloud[i].getNormalVector3fMap().setZero();
   cloud[0].getNormalVector3fMap() *= -1.0F;
   const NormalCheck found = check (cloud);
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    wrong += found.normals[i].dot (right[i].getNormalVector3fMap()) < 0.5F ? 1 : 0;
-  EXPECT_LT (wrong, cloud.size() / 50);
+  EXPECT_LT (countOff (found, right), cloud.size() / 50);
 }
 
 TEST (GivenNormals, WhatIsDoubtfulIsNotSure)
 {
-  Cloud cloud = solid ("plate of 1 h", 1.0);
-  IsFlipped is_flipped = oneIn (0.1);
-  for (pcl::PointNormal& point : cloud)
-    if (is_flipped (point))
-      point.getNormalVector3fMap() *= -1.0F;
-  const NormalCheck found = check (cloud);
+  const NormalCheck found = check (flipped (solid ("plate of 1 h", 1.0), oneIn (0.1)));
   ASSERT_GT (found.findings.doubtful, 0U);
   EXPECT_GE (std::count_if (found.trust.begin(),
                             found.trust.end(),
@@ -254,11 +258,7 @@ TEST (GivenNormals, WhatIsFoundIsCounted)
 
 TEST (GivenNormals, ThreadsDoNotMatter)
 {
-  Cloud cloud = solid ("cube with holes", 0.5);
-  IsFlipped is_flipped = oneIn (0.2);
-  for (pcl::PointNormal& point : cloud)
-    if (is_flipped (point))
-      point.getNormalVector3fMap() *= -1.0F;
+  const Cloud cloud = flipped (solid ("cube with holes", 0.5), oneIn (0.2));
   const NormalCheck one = check (cloud, {}, 1);
   const NormalCheck two = check (cloud, {}, 2);
   EXPECT_EQ (one.normals, two.normals);

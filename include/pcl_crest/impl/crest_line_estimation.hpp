@@ -325,9 +325,7 @@ CrestLineEstimation<PointInT, PointOutT>::warnOfNormals (
     PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               getClassName().c_str(),
               findings.c_str(),
-              found.normal_check->findings.guessed == 0
-                  ? ""
-                  : " setViewPoint tells it, or setUpDirection.");
+              found.normal_check->findings.guessed == 0 ? "" : crest::SIDE_SETTERS);
 }
 
 template <typename PointInT, typename PointOutT>

@@ -62,6 +62,9 @@ hintsOf (const pcl::PointCloud<PointT>& cloud,
   return hints;
 }
 
+/** What tells the side of normals that is not known. */
+constexpr const char* SIDE_SETTERS = " setViewPoint tells it, or setUpDirection.";
+
 /** \brief Says what of the signs of a class's normals is not to be trusted. */
 inline void
 warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
@@ -75,7 +78,7 @@ warnOfDoubt (const std::string& class_name, const NormalEstimate& estimate)
     PCL_WARN ("[pcl::%s::compute] %s.%s\n",
               class_name.c_str(),
               doubt.c_str(),
-              estimate.canBeTold() ? " setViewPoint tells it, or setUpDirection." : "");
+              estimate.canBeTold() ? SIDE_SETTERS : "");
 }
 
 } // namespace crest
