@@ -11,7 +11,9 @@ namespace crest {
 /** \brief Gives samples beside sharp edges, where the k nearest lie on several faces,
  * the plane of a window near by that fits its own points at least twice as well, and
  * the sample, too: as Kuwahara et al. 1976 smooth images up to their edges. Where no
- * window does, as on smooth surfaces and in noise, nothing changes.
+ * window does, as on faces narrower than windows, and there is no noise, it is the
+ * plane through the sample on which the most of its neighbours are. Else, as on smooth
+ * surfaces and in noise, nothing changes.
  *
  * \param[in] tree that the fits were made from
  *

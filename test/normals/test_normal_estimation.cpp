@@ -113,7 +113,12 @@ TEST (NormalEstimation, PlanesAreThoseOfPclWhereTheSurfaceIsSmooth)
 
 TEST (NormalEstimation, FacesAreNotAveragedAcrossSharpEdges)
 {
-  for (const char* name : {"dodecahedron", "gear", "plate of 1.5 h", "plate of 3 h"}) {
+  for (const char* name : {"dodecahedron",
+                           "gear",
+                           "plate of 1.5 h",
+                           "plate of 2 h",
+                           "plate of 3 h",
+                           "channel of 4 h"}) {
     const oracle::SolidCloud sampled = solid (name);
     const NormalEstimate found = estimateNormals (requestFor (*sampled.cloud));
     std::vector<double> angles;
@@ -122,11 +127,11 @@ TEST (NormalEstimation, FacesAreNotAveragedAcrossSharpEdges)
           std::acos (std::min (1.0F,
                                std::abs (found.normals[i].dot (
                                    (*sampled.cloud)[i].getNormalVector3fMap())))));
-    // The rest are so near to an edge that no window around sees one face alone.
+    // The rest are on two faces, or in corners where none of theirs has enough samples.
     const auto most =
-        angles.begin() + static_cast<std::ptrdiff_t> (0.85 * angles.size());
+        angles.begin() + static_cast<std::ptrdiff_t> (0.95 * angles.size());
     std::nth_element (angles.begin(), most, angles.end());
-    EXPECT_LT (*most, 5.0 * 3.14159 / 180.0) << name;
+    EXPECT_LT (*most, 1.0 * 3.14159 / 180.0) << name;
   }
 }
 
