@@ -106,8 +106,10 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
   constexpr double TURNED = 0.5;
   // Heights that are spread evenly keep a quarter of their variance when split, and
   // more than a third if they are noise: then no better normal will make clumps of
-  // them.
-  constexpr double CLUMPS = 0.08;
+  // them. Few points are as if in clumps by chance, or where faces meet.
+  constexpr double FEW = 40.0;
+  constexpr double CLUMPS_OF_FEW = 0.1;
+  constexpr double CLUMPS = 0.17;
   constexpr double HOPELESS = 0.3;
   const double count = all.weight();
   Eigen::Vector3d normal = axes.normal;
@@ -138,7 +140,8 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
     if (round > 0 && within * count > HOPELESS * normal.dot (all.products() * normal))
       return std::nullopt;
   }
-  if (!(within * count < CLUMPS * normal.dot (all.products() * normal)))
+  if (!(within * count <
+        (count < FEW ? CLUMPS_OF_FEW : CLUMPS) * normal.dot (all.products() * normal)))
     return std::nullopt;
   const int own = 0.0 < split ? 0 : 1;
   PlaneFit fit;

@@ -154,6 +154,9 @@ TEST (NormalEstimation, SignsHoldThroughNoise)
     EXPECT_LE (scoreWithNoise (name, 0.5).wrong, 0.01) << name;
     EXPECT_LE (scoreWithNoise (name, 1.0).wrong, 0.05) << name;
   }
+  // Two sheets in every window.
+  for (const char* name : {"plate of 1.5 h", "plate of 2 h"})
+    EXPECT_LE (scoreWithNoise (name, 0.2).wrong, 0.002) << name;
 }
 
 TEST (NormalEstimation, WhatCannotBeKnownIsUnsure)
