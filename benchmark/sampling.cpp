@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sampling.h"
 
+#include "support/correlated_noise.h"
 #include "support/noisy_cloud.h"
 
 #include <cmath>
@@ -31,38 +32,6 @@ sampleEvenly (const oracle::AnalyticSurface& surface, std::size_t count, unsigne
   Samples samples;
   samples.cloud = oracle::sample (surface, count, seed, &samples.parameters);
   return samples;
-}
-
-/** \brief Independent noise, smoothed over the samples, of unit variance. */
-std::vector<Eigen::Vector3f>
-smoothNoise (const Cloud& samples, double spread, unsigned seed)
-{
-  std::mt19937 random (seed);
-  std::normal_distribution<float> noise (0.0F, 1.0F);
-  std::vector<Eigen::Vector3f> rough (samples.size());
-  for (Eigen::Vector3f& value : rough)
-    for (float& x : value)
-      x = noise (random);
-
-  pcl::search::KdTree<pcl::PointNormal> tree;
-  tree.setInputCloud (samples.makeShared());
-  std::vector<Eigen::Vector3f> smooth (rough.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::size_t i = 0; i < rough.size(); ++i) {
-    pcl::Indices found;
-    std::vector<float> squared;
-    tree.radiusSearch (samples[i], 2.5 * spread, found, squared);
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    float squares = 0.0F;
-    for (std::size_t j = 0; j < found.size(); ++j) {
-      const auto weight =
-          static_cast<float> (std::exp (-squared[j] / (2.0 * spread * spread)));
-      sum += weight * rough[found[j]];
-      squares += weight * weight;
-    }
-    smooth[i] = sum / std::sqrt (squares);
-  }
-  return smooth;
 }
 
 } // namespace
@@ -118,7 +87,7 @@ scan (const Cloud& exact, const Scan& how)
   if (how.spread > 0.0) {
     Cloud moved = exact;
     const std::vector<Eigen::Vector3f> noise =
-        smoothNoise (exact, how.spread, how.seed);
+        oracle::correlatedNoise (exact, how.spread, how.seed);
     for (std::size_t i = 0; i < moved.size(); ++i)
       moved[i].getVector3fMap() += static_cast<float> (how.noise) * noise[i];
     cloud = oracle::withNoise (moved, 0.0);

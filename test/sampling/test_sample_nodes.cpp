@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sampling/sample_nodes.h"
+#include "support/depth_cameras.h"
 #include "support/extraction.h"
 #include "support/noisy_cloud.h"
 #include "support/sensors.h"
@@ -143,7 +144,7 @@ TEST (SampleNodes, DepthNoiseIsLittleBetweenNodes)
 {
   const Eigen::Vector3d normal = Eigen::Vector3d (0.3, 0.5, 1.0).normalized();
   const double offset = 0.9;
-  const auto image = oracle::depthImage ({{{normal, offset}}, true});
+  const auto image = oracle::depthImage (oracle::castPlanes ({{normal, offset}}));
   const SampleNodes nodes = resolve (image);
   ASSERT_FALSE (nodes.isEmpty());
   EXPECT_GT (flawsOf (nodes, SamplingFlaw::CORRELATED_NOISE) +
@@ -169,7 +170,7 @@ TEST (SampleNodes, DepthNoiseIsLittleBetweenNodes)
 TEST (SampleNodes, NothingIsDrawnOfDepthNoise)
 {
   const Eigen::Vector3d normal = Eigen::Vector3d (0.3, 0.5, 1.0).normalized();
-  const auto image = oracle::depthImage ({{{normal, 1.2}}, true});
+  const auto image = oracle::depthImage (oracle::castPlanes ({{normal, 1.2}}));
   pcl::CrestLineEstimation<pcl::PointXYZ> estimation;
   estimation.setInputCloud (image.makeShared());
   pcl::PointCloud<pcl::Label> labels;
@@ -186,8 +187,8 @@ TEST (SampleNodes, ACornerIsSeenThroughDepthNoise)
   const Eigen::Vector3d right = Eigen::Vector3d (-1.0, 0.0, 1.0).normalized();
   const double offset = std::sqrt (0.5);
   for (const bool nearest : {true, false}) {
-    const auto image =
-        oracle::depthImage ({{{left, offset}, {right, offset}}, nearest});
+    const auto image = oracle::depthImage (
+        oracle::castPlanes ({{left, offset}, {right, offset}}, nearest));
     pcl::CrestLineEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud (image.makeShared());
     pcl::PointCloud<pcl::Label> labels;

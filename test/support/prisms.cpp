@@ -25,21 +25,6 @@ at (const Eigen::Vector2d& p, double z)
   return {p.x(), p.y(), z};
 }
 
-/** \brief Whether a ray from the point crosses the outline an odd number of times. */
-bool
-contains (const Outline& outline, const Eigen::Vector2d& p)
-{
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Eigen::Vector2d& a = outline[i];
-    const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-      inside = !inside;
-  }
-  return inside;
-}
-
 /** \brief The bottom, or the top. */
 SolidFace
 endFace (const Outline& outline, double z, bool top)
@@ -76,6 +61,21 @@ sideFace (const Eigen::Vector2d& a, const Eigen::Vector2d& b, double height)
 }
 
 } // namespace
+
+bool
+contains (const Outline& outline, const Eigen::Vector2d& p)
+{
+  // A ray from within crosses the outline an odd number of times.
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d& a = outline[i];
+    const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  return inside;
+}
 
 SharpSolid
 prism (const std::string& name, const Outline& outline, double height)

@@ -13,6 +13,10 @@ using Outline = std::vector<Eigen::Vector2d>;
 SharpSolid
 prism (const std::string& name, const Outline& outline, double height);
 
+/** \brief Whether a point is within. */
+bool
+contains (const Outline& outline, const Eigen::Vector2d& p);
+
 /** \brief A wheel of radius 1 with teeth down to .8. */
 Outline
 gearOutline (int teeth);

@@ -1,21 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sensors.h"
 
-#include <algorithm>
-#include <cmath>
+#include "correlated_noise.h"
+#include "noisy_cloud.h"
+
 #include <random>
 
 namespace oracle {
 
-pcl::PointCloud<pcl::PointNormal>
-accumulatedFrames (const pcl::PointCloud<pcl::PointNormal>& exact,
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+namespace {
+
+/** \brief Without what is within balls around samples at random. */
+Cloud
+withHoles (const Cloud& cloud, double radius, double part, unsigned seed)
+{
+  pcl::search::KdTree<pcl::PointNormal> tree;
+  tree.setInputCloud (cloud.makeShared());
+  std::mt19937 random (seed);
+  std::uniform_int_distribution<std::size_t> any (0, cloud.size() - 1);
+  std::vector<bool> is_lost (cloud.size(), false);
+  const auto most =
+      static_cast<std::size_t> (part * static_cast<double> (cloud.size()));
+  pcl::Indices found;
+  std::vector<float> squared;
+  for (std::size_t lost = 0; lost < most;) {
+    tree.radiusSearch (cloud[any (random)], radius, found, squared);
+    for (const pcl::index_t i : found) {
+      lost += is_lost[static_cast<std::size_t> (i)] ? 0 : 1;
+      is_lost[static_cast<std::size_t> (i)] = true;
+    }
+  }
+  Cloud left;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (!is_lost[i])
+      left.push_back (cloud[i]);
+  return left;
+}
+
+} // namespace
+
+Cloud
+accumulatedFrames (const Cloud& exact,
                    int frames,
                    double standard_deviation,
                    unsigned seed)
 {
   std::mt19937 random (seed);
   std::normal_distribution<double> noise (0.0, standard_deviation);
-  pcl::PointCloud<pcl::PointNormal> cloud;
+  Cloud cloud;
   for (int frame = 0; frame < frames; ++frame)
     for (pcl::PointNormal point : exact) {
       for (float& x : point.getVector3fMap())
@@ -25,50 +59,35 @@ accumulatedFrames (const pcl::PointCloud<pcl::PointNormal>& exact,
   return cloud;
 }
 
-pcl::PointCloud<pcl::PointXYZ>
-depthImage (const PlaneScene& scene)
+Cloud
+registeredScans (const Cloud& first,
+                 const Cloud& second,
+                 const Eigen::Vector3d& apart,
+                 double standard_deviation,
+                 unsigned seed)
 {
-  constexpr int WIDTH = DepthCamera::WIDTH;
-  constexpr int HEIGHT = DepthCamera::HEIGHT;
-  constexpr double FOCAL = DepthCamera::FOCAL_LENGTH;
-  const auto rayOf = [] (int column, int row) {
-    return Eigen::Vector3d (
-        (column - 0.5 * WIDTH) / FOCAL, (row - 0.5 * HEIGHT) / FOCAL, 1.0);
-  };
-  std::vector<double> depths;
-  for (int row = 0; row < HEIGHT; ++row)
-    for (int column = 0; column < WIDTH; ++column) {
-      std::vector<double> seen;
-      for (const PlaneScene::Plane& plane : scene.planes)
-        seen.push_back (plane.offset / plane.normal.dot (rayOf (column, row)));
-      depths.push_back (scene.nearest ? *std::min_element (seen.begin(), seen.end())
-                                      : *std::max_element (seen.begin(), seen.end()));
-    }
-  // What matching a window of 5 x 5 pixels makes of the noise of single ones.
-  constexpr double NOISE = 0.5;
-  std::mt19937 random (1);
-  std::normal_distribution<double> noise (0.0, NOISE);
-  std::vector<double> disparities;
-  for (const double depth : depths)
-    disparities.push_back (FOCAL * DepthCamera::BASELINE / depth + noise (random));
-  const auto at = [] (int column, int row) {
-    return static_cast<std::size_t> (std::clamp (row, 0, HEIGHT - 1) * WIDTH +
-                                     std::clamp (column, 0, WIDTH - 1));
-  };
-  pcl::PointCloud<pcl::PointXYZ> cloud (WIDTH, HEIGHT);
-  for (int row = 0; row < HEIGHT; ++row)
-    for (int column = 0; column < WIDTH; ++column) {
-      double sum = 0.0;
-      for (int dy = -2; dy <= 2; ++dy)
-        for (int dx = -2; dx <= 2; ++dx)
-          sum += disparities[at (column + dx, row + dy)];
-      const double steps = std::round (sum / 25.0 / DepthCamera::DISPARITY_STEP);
-      const double depth =
-          FOCAL * DepthCamera::BASELINE / (steps * DepthCamera::DISPARITY_STEP);
-      cloud.at (column, row).getVector3fMap() =
-          (depth * rayOf (column, row)).cast<float>();
-    }
-  return cloud;
+  Cloud both = first;
+  both += second;
+  const Eigen::Vector3f half = (0.5 * apart).cast<float>();
+  for (std::size_t i = 0; i < both.size(); ++i)
+    both[i].getVector3fMap() += i < first.size() ? half : -half;
+  return *addNoise (both, standard_deviation, seed);
+}
+
+Cloud
+photogrammetry (const Cloud& exact, const Photogrammetry& how, unsigned seed)
+{
+  const double h = meanSpacing (exact);
+  const std::vector<Eigen::Vector3f> noise =
+      correlatedNoise (exact, 0.5 * how.correlation_length * h, seed);
+  Cloud cloud = exact;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].getVector3fMap() +=
+        static_cast<float> (how.correlated_noise * h) * noise[i];
+  return withHoles (*addNoise (cloud, how.own_noise * h, seed),
+                    how.hole_radius * h,
+                    how.part_in_holes,
+                    seed);
 }
 
 } // namespace oracle

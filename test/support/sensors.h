@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds as sensors give them, of surfaces that are known exactly.
+// Clouds as scans from all sides give them, of even samples that are known exactly.
 #pragma once
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Core>
-
-#include <vector>
 
 namespace oracle {
 
@@ -20,35 +18,36 @@ accumulatedFrames (const pcl::PointCloud<pcl::PointNormal>& exact,
                    double standard_deviation,
                    unsigned seed = 1);
 
-/** \brief A camera for depth by structured light, as the first of these were: 320 x 240
- * pixels, whose disparity is found by windows of 5 x 5 pixels, which share its noise,
- * and in steps of an eighth of a pixel, so that steps of depth grow with its square
- * (Khoshelham and Elberink 2012).
+/** \brief Two scans of one surface whose registration is off, by half of that distance
+ * to either side, each with its own normal noise. The normals stay.
  */
-struct DepthCamera {
-  static constexpr int WIDTH = 320;
-  static constexpr int HEIGHT = 240;
-  /** in pixels */
-  static constexpr double FOCAL_LENGTH = 290.0;
-  /** in metres */
-  static constexpr double BASELINE = 0.075;
-  static constexpr double DISPARITY_STEP = 0.125;
+pcl::PointCloud<pcl::PointNormal>
+registeredScans (const pcl::PointCloud<pcl::PointNormal>& first,
+                 const pcl::PointCloud<pcl::PointNormal>& second,
+                 const Eigen::Vector3d& apart,
+                 double standard_deviation,
+                 unsigned seed = 1);
+
+/** \brief What dense matching of photographs makes of samples. All lengths in h, mean
+ * distance to the 6 nearest.
+ */
+struct Photogrammetry {
+  /** over which what the noise of two samples has in common falls to 1 / e; half of it
+   * and more are the windows that are matched */
+  double correlation_length = 5.0;
+  /** standard deviation along each axis, and of what samples do not share */
+  double correlated_noise = 0.25;
+  double own_noise = 0.05;
+  /** balls without samples, where there is nothing to match, and the part of the
+   * samples that they take */
+  double hole_radius = 5.0;
+  double part_in_holes = 0.05;
 };
 
-/** \brief What is in front of the camera: planes normal . x = offset, of which it sees
- * the nearest along each ray, or the farthest, as in the corner of a room.
- */
-struct PlaneScene {
-  struct Plane {
-    Eigen::Vector3d normal;
-    double offset;
-  };
-  std::vector<Plane> planes;
-  bool nearest = true;
-};
-
-/** \brief The image as an organized cloud, without normals. */
-pcl::PointCloud<pcl::PointXYZ>
-depthImage (const PlaneScene& scene);
+/** \brief The normals stay. */
+pcl::PointCloud<pcl::PointNormal>
+photogrammetry (const pcl::PointCloud<pcl::PointNormal>& exact,
+                const Photogrammetry& how,
+                unsigned seed = 1);
 
 } // namespace oracle
