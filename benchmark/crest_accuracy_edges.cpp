@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How near the lines of the Feature come to the sharp edges of meshes.
+#include "json_file.h"
 #include "mesh_edges.h"
 #include "sampling.h"
 #include "settings.h"
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -44,11 +44,7 @@ writeJson (const std::vector<SharpScore>& scores, const accuracy::Settings& sett
       run[accuracy::nameOf (t.type)] = toJson (t);
     runs.push_back (run);
   }
-  std::ofstream stream (settings.json);
-  stream << nlohmann::json{{"threads", settings.threads}, {"runs", runs}}.dump (1)
-         << '\n';
-  stream.close();
-  return !stream.fail();
+  return accuracy::writeRuns (runs, settings.threads, settings.json);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How often the signs of estimated normals are wrong, and how far their angles are off.
+#include "json_file.h"
 #include "normal_score.h"
 #include "settings.h"
 #include "support/noisy_cloud.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -69,11 +69,7 @@ writeJson (const std::vector<NormalScore>& scores, const accuracy::Settings& set
                      {"angle_of_pcl", toJson (score.angle_of_pcl)},
                      {"milliseconds", score.milliseconds},
                      {"milliseconds_of_pcl", score.milliseconds_of_pcl}});
-  std::ofstream stream (settings.json);
-  stream << nlohmann::json{{"threads", settings.threads}, {"runs", runs}}.dump (1)
-         << '\n';
-  stream.close();
-  return !stream.fail();
+  return accuracy::writeRuns (runs, settings.threads, settings.json);
 }
 
 } // namespace

@@ -51,23 +51,30 @@ namesOf (std::vector<std::string>& names, const std::vector<std::string>& known)
 }
 
 void
+addOutputSettings (pcl::crest::Options& options, Settings& settings)
+{
+  using namespace pcl::crest;
+  auto add = options.add_options();
+  add ("-seed", number (settings.seed), "of samples and noise");
+  add ("-threads", number (settings.threads), "0 takes all processors");
+  add ("-json", fileName ("FILE", settings.json), "write all scores");
+  add ("-h", flag (settings.help), "show this and do nothing else");
+}
+
+void
 addRunSettings (pcl::crest::Options& options, Settings& settings)
 {
   std::ostringstream usual;
   for (const double noise : settings.noises)
     usual << (usual.tellp() > 0 ? "," : "") << noise;
   using namespace pcl::crest;
-  auto add = options.add_options();
-  add ("-noise",
-       value ("X,Y",
-              [&settings] (const std::string& text) {
-                return takeNoises (text, settings.noises);
-              }),
-       ("noises in spacings (" + usual.str() + ")").c_str());
-  add ("-seed", number (settings.seed), "of samples and noise");
-  add ("-threads", number (settings.threads), "0 takes all processors");
-  add ("-json", fileName ("FILE", settings.json), "write all scores");
-  add ("-h", flag (settings.help), "show this and do nothing else");
+  options.add_options() ("-noise",
+                         value ("X,Y",
+                                [&settings] (const std::string& text) {
+                                  return takeNoises (text, settings.noises);
+                                }),
+                         ("noises in spacings (" + usual.str() + ")").c_str());
+  addOutputSettings (options, settings);
 }
 
 void

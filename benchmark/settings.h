@@ -21,11 +21,15 @@ struct Settings {
   bool help = false;
 };
 
-/** \brief Adds -noise -seed -threads -json -h. */
+/** \brief Adds -seed -threads -json -h. */
+void
+addOutputSettings (pcl::crest::Options& options, Settings& settings);
+
+/** \brief Adds -noise as well. */
 void
 addRunSettings (pcl::crest::Options& options, Settings& settings);
 
-/** \brief Adds -presets and -exact_normals as well. */
+/** \brief Adds -presets and -exact_normals to all these. */
 void
 addSettings (pcl::crest::Options& options, Settings& settings);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "summary.h"
 
+#include "json_file.h"
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <tuple>
 
@@ -135,10 +135,7 @@ writeJson (const std::vector<SurfaceScore>& scores,
       run[nameOf (t.type)] = toJson (t);
     runs.push_back (run);
   }
-  std::ofstream stream (file);
-  stream << nlohmann::json{{"threads", threads}, {"runs", runs}}.dump (1) << '\n';
-  stream.close();
-  return !stream.fail();
+  return writeRuns (runs, threads, file);
 }
 
 } // namespace accuracy
