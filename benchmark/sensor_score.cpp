@@ -7,9 +7,9 @@
 
 #include "sharp_edges.h"
 #include "surface_score.h"
+#include "timed_run.h"
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 
 namespace accuracy {
@@ -44,14 +44,11 @@ runOn (const oracle::SensorCloud& scan, unsigned threads)
   estimation.setInputCloud (scan.cloud);
   estimation.setNumberOfThreads (threads);
   pcl::PointCloud<pcl::Label> labels;
-  const auto start = std::chrono::steady_clock::now();
-  estimation.compute (labels);
-  const std::chrono::duration<double, std::milli> took =
-      std::chrono::steady_clock::now() - start;
+  const double milliseconds = millisecondsOf ([&] { estimation.compute (labels); });
   SensorRun run{estimation.getLines(),
                 pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>(),
                 estimation.getStatistics().sampling,
-                took.count()};
+                milliseconds};
   pcl::copyPointCloud (*estimation.getLineCloud(), *run.line_cloud);
   return run;
 }

@@ -7,6 +7,16 @@
 
 namespace accuracy {
 
+double
+millisecondsOf (const std::function<void()>& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  const std::chrono::duration<double, std::milli> took =
+      std::chrono::steady_clock::now() - start;
+  return took.count();
+}
+
 TimedRun
 timedRun (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
           const std::string& preset,
@@ -18,14 +28,11 @@ timedRun (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
                                          : pcl::crest::Preset::PAPER);
   estimation.setNumberOfThreads (threads);
   pcl::PointCloud<pcl::Label> labels;
-  const auto start = std::chrono::steady_clock::now();
-  estimation.compute (labels);
-  const std::chrono::duration<double, std::milli> took =
-      std::chrono::steady_clock::now() - start;
+  const double milliseconds = millisecondsOf ([&] { estimation.compute (labels); });
   return {estimation.getLines(),
           estimation.getLineCloud(),
           estimation.getPrincipalCurvatures(),
-          took.count()};
+          milliseconds};
 }
 
 } // namespace accuracy

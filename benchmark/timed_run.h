@@ -7,6 +7,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <functional>
 #include <string>
 
 namespace accuracy {
@@ -18,6 +19,10 @@ struct TimedRun {
   pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
   double milliseconds;
 };
+
+/** \brief How long the work takes. */
+double
+millisecondsOf (const std::function<void()>& work);
 
 /** \brief Runs a preset, "auto" or "paper", with nothing but its defaults. */
 TimedRun

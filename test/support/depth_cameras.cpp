@@ -41,7 +41,8 @@ asCloud (const std::vector<double>& depths, const Eigen::Isometry3d& pose)
   Cloud cloud (Camera::WIDTH, Camera::HEIGHT);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     const int pixel = static_cast<int> (i);
-    const Vector3d ray = rayOf<Camera> (pixel % Camera::WIDTH, pixel / Camera::WIDTH);
+    const int row = pixel / Camera::WIDTH;
+    const Vector3d ray = rayOf<Camera> (pixel % Camera::WIDTH, row);
     cloud[i].getVector3fMap() = (pose * (depths[i] * ray)).template cast<float>();
     cloud.is_dense = cloud.is_dense && std::isfinite (depths[i]);
   }
