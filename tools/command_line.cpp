@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <array>
 #include <charconv>
 
@@ -68,16 +70,22 @@ optionsOf (const Parameters& p)
 std::string
 optionsOf (const InputCloud& cloud)
 {
+  const ReadOptions& options = cloud.options;
+  std::string text;
+  if (!options.format.empty())
+    text += " -format " + options.format;
+  if (!options.columns.empty())
+    text += " -columns " + boost::join (options.columns, ",");
   if (cloud.normals != NormalSource::ESTIMATED)
-    return {};
+    return text;
   const auto place = [] (const Eigen::Vector3f& p) {
     return shortest (p.x()) + "," + shortest (p.y()) + "," + shortest (p.z());
   };
-  std::string text = " -estimate_normals";
-  if (cloud.options.viewpoint)
-    text += " -viewpoint " + place (*cloud.options.viewpoint);
-  if (cloud.options.up)
-    text += " -up " + place (*cloud.options.up);
+  text += " -estimate_normals";
+  if (options.normals.viewpoint)
+    text += " -viewpoint " + place (*options.normals.viewpoint);
+  if (options.normals.up)
+    text += " -up " + place (*options.normals.up);
   return text;
 }
 

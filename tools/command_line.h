@@ -18,7 +18,7 @@ namespace crest {
 std::string
 optionsOf (const Parameters& parameters);
 
-/** \brief The options of addNormalOptions that give the normals of this cloud. */
+/** \brief The options of addReadingOptions that give this cloud with its normals. */
 std::string
 optionsOf (const InputCloud& cloud);
 

@@ -27,7 +27,7 @@ constexpr char PROGRAM[] = "pcl_crest_line_estimation";
 
 struct Files {
   std::string input;
-  NormalOptions normals;
+  ReadOptions reading;
   std::string output;
   std::string lines;
   std::string statistics;
@@ -149,7 +149,7 @@ run (const Files& files, const Parameters& parameters, bool quiet)
       return true;
     };
     code = estimate (
-        files.input, parameters, files.normals, tell, progress, result, error);
+        files.input, parameters, files.reading, tell, progress, result, error);
   }
   if (code != EXIT_DONE)
     return fail (PROGRAM, code, error);
@@ -204,7 +204,7 @@ main (int argc, char** argv)
   bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
-  addNormalOptions (options, files.normals);
+  addReadingOptions (options, files.reading);
   auto add = options.add_options();
   add ("-lines",
        fileName ("FILE", files.lines),
@@ -221,8 +221,8 @@ main (int argc, char** argv)
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
            "Extracts crest lines, that is ridges and valleys, from a point cloud.\n"
-           "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file; its\n"
-           "normals are used, else those of its faces, else they are estimated.\n"
+           "INPUT is a file of one of the formats that -format lists; its normals\n"
+           "are used, else those of its faces, else they are estimated.\n"
            "OUTPUT.pcd gets each point with its normal, its largest principal\n"
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
            "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"

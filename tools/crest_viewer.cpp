@@ -64,7 +64,7 @@ load (const WindowOptions& window,
   progress ("reading " + input, 0.0);
   InputCloud cloud;
   if (!readCloud (
-          input, parameters.k, parameters.threads, cloud, error, window.normals))
+          input, parameters.k, parameters.threads, cloud, error, window.reading))
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
@@ -148,7 +148,7 @@ main (int argc, char** argv)
   bool asked = false;
   Options options;
   addEstimationOptions (options, parameters);
-  addNormalOptions (options, request.window.normals);
+  addReadingOptions (options, request.window.reading);
   auto add = options.add_options();
   add ("-screenshot",
        fileName ("FILE.png", request.screenshot),
@@ -173,7 +173,7 @@ main (int argc, char** argv)
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"
            "Shows a point cloud and its crest lines, ridges blue and valleys red, in\n"
            "a window with the mouse and keys of pcl_viewer (h lists them, q quits).\n"
-           "INPUT is a .pcd, .ply, .obj, .off, .stl, .vtk, .xyz or .txt file.\n\n"
+           "INPUT is a file of one of the formats that -format lists.\n\n"
         << usage (options) << "\nKeys in the window:\n"
         << ViewerWindow::keys();
     return EXIT_DONE;

@@ -9,13 +9,13 @@ namespace crest {
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
-          const NormalOptions& normals,
+          const ReadOptions& options,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,
           std::string& error)
 {
-  if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error, normals))
+  if (!readCloud (file, parameters.k, parameters.threads, result.cloud, error, options))
     return EXIT_FILE;
   tell (result.cloud);
   setInput (result.cloud, result.estimation);

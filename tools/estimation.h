@@ -27,16 +27,16 @@ setInput (const InputCloud& cloud,
   estimation.setInputCloud (cloud.points);
   if (cloud.estimate)
     estimation.setSignTrust ({cloud.estimate, &cloud.estimate->trust});
-  if (const auto& viewpoint = cloud.options.viewpoint)
+  if (const auto& viewpoint = cloud.options.normals.viewpoint)
     estimation.setViewPoint (viewpoint->x(), viewpoint->y(), viewpoint->z());
-  if (const auto& up = cloud.options.up)
+  if (const auto& up = cloud.options.normals.up)
     estimation.setUpDirection (up->x(), up->y(), up->z());
 }
 
 /** \brief Reads a file and computes its labels and lines.
  * \param[in] file the path
  * \param[in] parameters those of the estimation
- * \param[in] normals where these are to come from
+ * \param[in] options how to read it
  * \param[in] tell called with what was read, before the computation
  * \param[in] progress told how far the computation is
  * \param[out] result all of it
@@ -46,7 +46,7 @@ setInput (const InputCloud& cloud,
 ExitCode
 estimate (const std::string& file,
           const Parameters& parameters,
-          const NormalOptions& normals,
+          const ReadOptions& options,
           const std::function<void (const InputCloud&)>& tell,
           const ProgressCallback& progress,
           Estimate& result,

@@ -167,8 +167,21 @@ addQuestions (Options& options, bool& asked)
 }
 
 void
-addNormalOptions (Options& options, NormalOptions& normals)
+addReadingOptions (Options& options, ReadOptions& reading)
 {
+  const auto takeFormat = [&reading] (const std::string& text) {
+    reading.format = text;
+    return explainInvalid (reading).empty() ? std::string()
+                                            : boost::join (readFormats(), ", ");
+  };
+  const auto takeColumns = [&reading] (const std::string& text) {
+    boost::split (reading.columns, text, boost::is_any_of (","));
+    return explainInvalid (reading).empty()
+               ? std::string()
+               : "x, y, z and perhaps nx, ny, nz, r, g, b, intensity, once each, or - "
+                 "for other columns, as in x,y,z,-,nx,ny,nz";
+  };
+  NormalOptions& normals = reading.normals;
   const auto takeDirection = [&normals] (const std::string& text) {
     Eigen::Vector3f taken;
     const std::string wanted = takePlace (text, taken);
@@ -184,9 +197,18 @@ addNormalOptions (Options& options, NormalOptions& normals)
       normals.viewpoint = taken;
     return wanted;
   };
-  options.add_options() ("-estimate_normals",
-                         flag (normals.always_estimate),
-                         "estimate normals, even if the file has some or faces") (
+  options.add_options() (
+      "-format",
+      value ("FORMAT", takeFormat),
+      ("what the input is, whatever its name:\n" + boost::join (readFormats(), " "))
+          .c_str()) (
+      "-columns",
+      value ("NAMES", takeColumns),
+      "what the columns of text are, as in x,y,z,-,nx,ny,nz,intensity\nor r,g,b; - for "
+      "any other (default: told by names or values)") (
+      "-estimate_normals",
+      flag (normals.always_estimate),
+      "estimate normals, even if the file has some or faces") (
       "-viewpoint",
       value ("X,Y,Z", takeViewpoint),
       "where estimated normals look to on open surfaces, in the unit\nof the file") (

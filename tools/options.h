@@ -116,11 +116,12 @@ usage (const Options& options);
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
-/** \brief Adds -estimate_normals, which has normals estimated whatever the file has,
- * and what their side may be decided by, -viewpoint and -up.
+/** \brief Adds -format and -columns, which tell how to read a file, -estimate_normals,
+ * which has normals estimated whatever the file has, and what their side may be decided
+ * by, -viewpoint and -up.
  */
 void
-addNormalOptions (Options& options, NormalOptions& normals);
+addReadingOptions (Options& options, ReadOptions& reading);
 
 /** \brief Adds -h and -version, which programs answer before they parse. */
 void

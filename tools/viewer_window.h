@@ -22,7 +22,7 @@ namespace crest {
 /** \brief What the window opens with. */
 struct WindowOptions {
   std::string input;
-  NormalOptions normals;
+  ReadOptions reading;
   /** of the names of files that are saved */
   std::string prefix;
   Eigen::Vector2i size{1200, 1200};

@@ -59,7 +59,8 @@ void
 checkFaces (const FileContent& content);
 
 // The readers, one for each format, take the whole content of a file and throw
-// ReadError, or what PCL throws, where it is not of their format.
+// ReadError, or what PCL throws, where it is not of their format. That of text takes
+// ReadOptions::columns, too.
 
 FileContent
 readPcd (const std::string& file, const std::string& text);
@@ -74,7 +75,7 @@ readStl (const std::string& text);
 FileContent
 readVtk (const std::string& text);
 FileContent
-readXyz (const std::string& text);
+readXyz (const std::string& text, const std::vector<std::string>& columns);
 
 } // namespace crest
 } // namespace pcl

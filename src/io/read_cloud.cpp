@@ -6,16 +6,10 @@
 #include <pcl/console/print.h>
 
 #include "base/stopwatch.h"
-#include "io/file_content.h"
-#include "io/load_pcd_module.h"
-#include "io/output_file.h"
+#include "io/read_content.h"
 #include "normals/face_winding.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <new>
 
 namespace pcl {
@@ -37,64 +31,6 @@ public:
 private:
   pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
 };
-
-std::ifstream
-openFile (const std::filesystem::path& path)
-{
-  std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status (path, failure);
-  if (!std::filesystem::exists (status))
-    throw ReadError (status.type() == std::filesystem::file_type::not_found
-                         ? "there is no such file"
-                         : failure.message());
-  if (std::filesystem::is_directory (status))
-    throw ReadError ("it is a directory, but a file is needed");
-  if (!std::filesystem::is_regular_file (status))
-    throw ReadError ("it is not a regular file");
-  std::ifstream stream (path, std::ios::binary);
-  if (!stream)
-    throw ReadError (std::string ("it cannot be opened: ") + std::strerror (errno));
-  return stream;
-}
-
-std::string
-readText (const std::string& file)
-{
-  const std::filesystem::path path (file);
-  std::ifstream stream = openFile (path);
-  std::string text (std::filesystem::file_size (path), '\0');
-  stream.read (text.data(), static_cast<std::streamsize> (text.size()));
-  if (!stream)
-    throw ReadError (std::string ("it cannot be read: ") + std::strerror (errno));
-  if (text.empty())
-    throw ReadError ("it is empty");
-  return text;
-}
-
-FileContent
-readContent (const std::string& file)
-{
-  const std::string extension = extensionOf (file);
-  const bool is_text = extension == ".xyz" || extension == ".txt";
-  if (!is_text && extension != ".pcd" && extension != ".ply" && extension != ".obj" &&
-      extension != ".off" && extension != ".stl" && extension != ".vtk") {
-    readText (file);
-    throw ReadError ("the extension \"" + extension +
-                     "\" is none of .pcd, .ply, .obj, .off, .stl, .vtk, .xyz, .txt");
-  }
-  const std::string text = readText (file);
-  FileContent content = extension == ".pcd"   ? readPcd (file, text)
-                        : extension == ".ply" ? readPly (text)
-                        : extension == ".obj" ? readObj (text)
-                        : extension == ".off" ? readOff (text)
-                        : extension == ".stl" ? readStl (text)
-                        : extension == ".vtk" ? readVtk (text)
-                                              : readXyz (text);
-  if (content.points->empty())
-    throw ReadError ("it has no points");
-  checkPointCount (content.points->size());
-  return content;
-}
 
 bool
 hasUsableNormal (const pcl::PointNormal& point)
@@ -282,28 +218,32 @@ readCloud (const std::string& file,
            unsigned threads,
            InputCloud& cloud,
            std::string& error,
-           const NormalOptions& options)
+           const ReadOptions& options)
 {
   const QuietConsole quiet;
   try {
+    const std::string invalid = explainInvalid (options);
+    if (!invalid.empty())
+      throw ReadError (invalid);
+    const NormalOptions& normals = options.normals;
     if (k < 3)
       throw ReadError ("k is " + std::to_string (k) +
                        ", but normals need at least 3 neighbours");
     std::vector<StageTime> times;
     Stopwatch watch (times);
-    FileContent content = readContent (file);
+    FileContent content = readContent (file, options);
     watch.stageDone ("reading");
     notePositions (content);
-    if (options.always_estimate) {
+    if (normals.always_estimate) {
       content.has_normals = false;
       content.faces.ends.clear();
     }
     std::shared_ptr<const NormalEstimate> estimate;
-    const NormalSource source = provideNormals (content, k, threads, options, estimate);
-    if (source != NormalSource::ESTIMATED && (options.viewpoint || options.up))
+    const NormalSource source = provideNormals (content, k, threads, normals, estimate);
+    if (source != NormalSource::ESTIMATED && (normals.viewpoint || normals.up))
       content.notes.push_back (
-          std::string (!options.up         ? "The viewpoint counts"
-                       : options.viewpoint ? "The viewpoint and the direction up count"
+          std::string (!normals.up         ? "The viewpoint counts"
+                       : normals.viewpoint ? "The viewpoint and the direction up count"
                                            : "The direction up counts") +
           " only where the normals of the " + nameOf (source) +
           " are divided about their side: -estimate_normals takes none of these.");
@@ -334,19 +274,6 @@ readCloud (const std::string& file,
   }
   catch (const std::exception& problem) {
     error = file + ": it cannot be read: " + problem.what();
-  }
-  return false;
-}
-
-bool
-checkReadable (const std::string& file, std::string& error)
-{
-  try {
-    openFile (file);
-    return true;
-  }
-  catch (const ReadError& problem) {
-    error = file + ": " + problem.what();
   }
   return false;
 }

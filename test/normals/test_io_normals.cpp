@@ -361,8 +361,8 @@ TEST_F (IoNormals, NormalsOfTheFileAreLeftOutOnRequest)
   for (const bool always_estimate : {false, true}) {
     InputCloud cloud;
     std::string error;
-    NormalOptions options;
-    options.always_estimate = always_estimate;
+    ReadOptions options;
+    options.normals.always_estimate = always_estimate;
     ASSERT_TRUE (readCloud (path, 4, 1, cloud, error, options)) << error;
     EXPECT_EQ (always_estimate ? NormalSource::ESTIMATED : NormalSource::FILE,
                cloud.normals);

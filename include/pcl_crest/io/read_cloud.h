@@ -34,17 +34,28 @@ struct NormalOptions {
   std::optional<Eigen::Vector3f> up;
 };
 
+/** \brief How a file is to be read. */
+struct ReadOptions {
+  /** one of readFormats, whatever the name of the file says; empty: by that name */
+  std::string format;
+  /** of text, what its columns are, from the first to the last: x y z nx ny nz r g b
+   * intensity, each once at most, or - for any that is to be passed over; empty: told
+   * by a line of names, else by the values */
+  std::vector<std::string> columns;
+  NormalOptions normals;
+};
+
 /** \brief A cloud as read from a file, ready for the crest line estimation. */
 struct InputCloud {
   /** one point per point of the file, in its order; is_dense is honest */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
   NormalSource normals = NormalSource::FILE;
   /** what it was read with */
-  NormalOptions options;
+  ReadOptions options;
   /** what is known of normals that were estimated; else null */
   std::shared_ptr<const NormalEstimate> estimate;
-  /** of each point red, green and blue up to 255, where a PCD or PLY file has them;
-   * else empty */
+  /** of each point red, green and blue up to 255, where a PCD, PLY or text file has
+   * them; else empty */
   std::vector<std::array<unsigned char, 3>> colors;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
@@ -56,12 +67,30 @@ struct InputCloud {
 PCL_CREST_EXPORT std::string
 nameOf (NormalSource source);
 
+/** \brief The formats of readCloud by their extensions, in lower case, without a dot.
+ */
+PCL_CREST_EXPORT std::vector<std::string>
+readFormats ();
+
+/** \brief What is wrong with the format or the columns of these; empty if nothing. */
+PCL_CREST_EXPORT std::string
+explainInvalid (const ReadOptions& options);
+
 /** \brief Reads a cloud and sees to its normals: from the file, else from the faces,
  * else estimated from k neighbours and made consistent over the cloud.
  *
- * By the extension of the name: PCD, PLY, OBJ, OFF, STL, VTK (legacy polydata), XYZ or
- * TXT (three numbers a line, or six with normals). Points are those of the file in its
- * order; STL files list the corners of triangles, of which equal ones become one point.
+ * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, VTK (legacy
+ * polydata), or text with a point a line (XYZ, TXT, CSV, ASC, PTS, NEU). Points are
+ * those of the file in its order; STL files list the corners of triangles, of which
+ * equal ones become one point.
+ *
+ * The columns of text may be parted by blanks, tabs, commas or semicolons, and decimals
+ * by commas where that is certain. A line of names tells what the columns are; without
+ * one the first three numbers are x y z (after the number of the point, if that counts
+ * up), three columns of unit vectors are normals, and three of whole numbers up to 255,
+ * or of numbers up to 1, are colors. The notes tell what was found. Text that leaves it
+ * in doubt is refused; options.columns tells it then.
+ *
  * Faces decide the side of the normals by the order of their corners: a normal looks to
  * where that order is counter-clockwise. A file whose normals are all zero or not
  * finite counts as one without; single ones are left as they are, and mentioned in the
@@ -76,7 +105,7 @@ nameOf (NormalSource source);
  * \param[in] threads 0 for all processors
  * \param[out] cloud what was read; untouched on failure
  * \param[out] error on failure what is wrong, naming the file and what would be right
- * \param[in] options where normals are to come from
+ * \param[in] options of the format, and where normals are to come from
  * \return whether the cloud was read
  */
 PCL_CREST_EXPORT bool
@@ -85,7 +114,7 @@ readCloud (const std::string& file,
            unsigned threads,
            InputCloud& cloud,
            std::string& error,
-           const NormalOptions& options = {});
+           const ReadOptions& options = {});
 
 /** \brief Whether there is a file that can be opened, found out without reading it.
  * \param[in] file the path

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/read_content.h"
+
+#include <boost/algorithm/string/join.hpp>
+
+#include "io/output_file.h"
+#include "io/text_columns.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+struct Source {
+  const std::string& file;
+  const std::string& text;
+  const ReadOptions& options;
+};
+
+/** \brief A format by the extension of its files, and its reader. */
+struct Format {
+  const char* name;
+  FileContent (*read) (const Source& source);
+};
+
+FileContent
+readTextOf (const Source& source)
+{
+  return readXyz (source.text, source.options.columns);
+}
+
+constexpr Format FORMATS[] = {
+    {"pcd", [] (const Source& source) { return readPcd (source.file, source.text); }},
+    {"ply", [] (const Source& source) { return readPly (source.text); }},
+    {"obj", [] (const Source& source) { return readObj (source.text); }},
+    {"off", [] (const Source& source) { return readOff (source.text); }},
+    {"stl", [] (const Source& source) { return readStl (source.text); }},
+    {"vtk", [] (const Source& source) { return readVtk (source.text); }},
+    {"xyz", readTextOf},
+    {"txt", readTextOf},
+    {"csv", readTextOf},
+    {"asc", readTextOf},
+    {"pts", readTextOf},
+    {"neu", readTextOf},
+};
+
+const Format*
+formatOf (const std::string& name)
+{
+  const auto* const format =
+      std::find_if (std::begin (FORMATS),
+                    std::end (FORMATS),
+                    [&name] (const Format& f) { return name == f.name; });
+  return format == std::end (FORMATS) ? nullptr : format;
+}
+
+std::ifstream
+openFile (const std::filesystem::path& path)
+{
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status (path, failure);
+  if (!std::filesystem::exists (status))
+    throw ReadError (status.type() == std::filesystem::file_type::not_found
+                         ? "there is no such file"
+                         : failure.message());
+  if (std::filesystem::is_directory (status))
+    throw ReadError ("it is a directory, but a file is needed");
+  if (!std::filesystem::is_regular_file (status))
+    throw ReadError ("it is not a regular file");
+  std::ifstream stream (path, std::ios::binary);
+  if (!stream)
+    throw ReadError (std::string ("it cannot be opened: ") + std::strerror (errno));
+  return stream;
+}
+
+std::string
+readText (const std::string& file)
+{
+  const std::filesystem::path path (file);
+  std::ifstream stream = openFile (path);
+  std::string text (std::filesystem::file_size (path), '\0');
+  stream.read (text.data(), static_cast<std::streamsize> (text.size()));
+  if (!stream)
+    throw ReadError (std::string ("it cannot be read: ") + std::strerror (errno));
+  if (text.empty())
+    throw ReadError ("it is empty");
+  return text;
+}
+
+} // namespace
+
+FileContent
+readContent (const std::string& file, const ReadOptions& options)
+{
+  const std::string text = readText (file);
+  const std::string extension = extensionOf (file);
+  const Format* const format =
+      formatOf (!options.format.empty() || extension.empty() ? options.format
+                                                             : extension.substr (1));
+  if (format == nullptr)
+    throw ReadError ("the extension \"" + extension + "\" is none of ." +
+                     boost::join (readFormats(), ", .") + ": -format tells the format");
+  if (!options.columns.empty() && format->read != readTextOf)
+    throw ReadError ("it is no text whose columns -columns could tell: " +
+                     std::string (format->name) + " files name them");
+  FileContent content = format->read ({file, text, options});
+  if (content.points->empty())
+    throw ReadError ("it has no points");
+  checkPointCount (content.points->size());
+  return content;
+}
+
+bool
+checkReadable (const std::string& file, std::string& error)
+{
+  try {
+    openFile (file);
+    return true;
+  }
+  catch (const ReadError& problem) {
+    error = file + ": " + problem.what();
+  }
+  return false;
+}
+
+std::vector<std::string>
+readFormats ()
+{
+  std::vector<std::string> names;
+  for (const Format& format : FORMATS)
+    names.emplace_back (format.name);
+  return names;
+}
+
+std::string
+explainInvalid (const ReadOptions& options)
+{
+  if (!options.format.empty() && formatOf (options.format) == nullptr)
+    return "the format \"" + options.format + "\" is none of " +
+           boost::join (readFormats(), ", ");
+  return options.columns.empty() ? std::string()
+                                 : explainInvalidColumns (options.columns);
+}
+
+} // namespace crest
+} // namespace pcl

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the name of a file to its content, by the reader of its format.
+#pragma once
+
+#include <pcl_crest/io/read_cloud.h>
+
+#include "io/file_content.h"
+
+#include <string>
+
+namespace pcl {
+namespace crest {
+
+/** \brief Reads a file of any format; throws a ReadError, or what PCL throws.
+ * \param[in] file the path
+ * \param[in] options of the format
+ */
+FileContent
+readContent (const std::string& file, const ReadOptions& options);
+
+} // namespace crest
+} // namespace pcl
