@@ -89,7 +89,8 @@ private:
       if (first == std::string_view::npos)
         continue;
       const std::size_t second = word.find ('/', first + 1);
-      if (second != std::string_view::npos &&
+      // A slash may stand before nothing: "1//", "1/1/".
+      if (second != std::string_view::npos && second + 1 < word.size() &&
           readIndex (word.substr (second + 1), normals_.size()) != vertex)
         normals_match_ = false;
     }

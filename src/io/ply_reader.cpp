@@ -5,6 +5,7 @@
 // there.
 #include "io/file_content.h"
 #include "io/number_type.h"
+#include "io/point_field.h"
 
 #include <array>
 #include <cmath>
@@ -159,29 +160,31 @@ private:
   void
   readVertices (const Element& element)
   {
-    constexpr std::array<const char*, 9> NAMES{
-        "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
-    std::vector<int> place (element.properties.size(), -1);
-    std::array<bool, NAMES.size()> found{};
-    for (std::size_t i = 0; i < place.size(); ++i)
-      for (std::size_t j = 0; j < NAMES.size(); ++j)
-        if (element.properties[i].name == NAMES[j] &&
-            element.properties[i].count_type == NumberType::NONE) {
-          place[i] = static_cast<int> (j);
-          found[j] = j < 6 || element.properties[i].type == NumberType::UINT8;
-        }
+    // Of several properties that are the same field the first counts.
+    std::vector<std::size_t> place (element.properties.size(), KEPT_FIELDS);
+    std::array<bool, KEPT_FIELDS> found{};
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const Property& property = element.properties[i];
+      const PointField field = pointFieldOf (property.name);
+      if (!isKept (field) || property.count_type != NumberType::NONE ||
+          found[placeOf (field)])
+        continue;
+      const bool is_color = field >= PointField::RED;
+      found[placeOf (field)] = !is_color || property.type == NumberType::UINT8;
+      place[i] = placeOf (field);
+    }
     if (!found[0] || !found[1] || !found[2])
       throw ReadError ("its vertices need the properties x, y and z");
     content_.has_normals = found[3] && found[4] && found[5];
     const bool has_colors = found[6] && found[7] && found[8];
     for (std::size_t i = 0; i < element.count; ++i) {
-      double values[NAMES.size()] = {};
+      double values[KEPT_FIELDS] = {};
       for (std::size_t j = 0; j < place.size(); ++j) {
         if (element.properties[j].count_type != NumberType::NONE)
           skipList (element.properties[j]);
         else {
           const double value = readNumber (element.properties[j].type);
-          if (place[j] >= 0)
+          if (place[j] < KEPT_FIELDS)
             values[place[j]] = value;
         }
       }

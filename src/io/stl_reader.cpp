@@ -3,6 +3,7 @@
 #include "io/file_content.h"
 #include "io/number_type.h"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -91,14 +92,17 @@ readText (const std::string& text)
 FileContent
 readStl (const std::string& text)
 {
-  const bool says_solid = text.compare (0, 5, "solid") == 0;
+  // Some programs write a blank before it.
+  const std::size_t first = std::min (text.find_first_not_of (" \t\r\n"), text.size());
+  const bool says_solid = text.compare (first, 5, "solid") == 0;
   const std::size_t triangles =
       text.size() < HEADER_SIZE
           ? 0
           : decodeAs<std::uint32_t> (text.data() + HEADER_SIZE - 4, false);
   const std::size_t binary_size = HEADER_SIZE + triangles * TRIANGLE_SIZE;
-  // The header of a binary file may say "solid" too, so its size decides.
-  if (says_solid && text.size() != binary_size)
+  // The header of a binary file may say "solid" too, so its size decides, and what no
+  // text has.
+  if (says_solid && text.size() != binary_size && text.find ('\0') == std::string::npos)
     return readText (text);
   if (text.size() < HEADER_SIZE)
     throw ReadError ("it is neither a text STL, which begins with \"solid\", nor a "

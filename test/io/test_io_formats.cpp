@@ -25,6 +25,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <locale>
@@ -237,6 +238,26 @@ TEST_F (IoFormats, PlyOfOtherByteOrderAndTypes)
   EXPECT_EQ (Eigen::Vector3f (-2, 7, 0), (*cloud.points)[1].getVector3fMap());
 }
 
+TEST_F (IoFormats, PlyOfOtherNames)
+{
+  for (const std::string names : {"nx ny nz",
+                                  "normal_x normal_y normal_z",
+                                  "normalx normaly normalz",
+                                  "NX NY NZ",
+                                  "scalar_Nx scalar_Ny scalar_Nz"}) {
+    std::string header = "ply\nformat ascii 1.0\nelement vertex " +
+                         std::to_string (mesh_.points.size()) +
+                         "\nproperty float X\nproperty float Y\nproperty float Z\n";
+    std::istringstream words (names);
+    for (std::string word; words >> word;)
+      header += "property float " + word + "\n";
+    const InputCloud cloud =
+        read (directory_.file ("a.ply", header + "end_header\n" + lines ("", true)));
+    expectPoints (cloud);
+    expectMarkedNormals (cloud);
+  }
+}
+
 TEST_F (IoFormats, ColorsOfPcdAndPly)
 {
   const std::vector<std::array<unsigned char, 3>> colors{{255, 128, 3}, {0, 7, 250}};
@@ -303,6 +324,9 @@ TEST_F (IoFormats, ObjInAllItsForms)
              return std::to_string (i + 1) + "//" + std::to_string (n - i);
            },
            false},
+          {"", [] (int i) { return std::to_string (i + 1) + "/"; }, false},
+          {"", [] (int i) { return std::to_string (i + 1) + "//"; }, false},
+          {"vt 0 0\n", [] (int i) { return std::to_string (i + 1) + "/1/"; }, false},
           {"vn 0 0 1\n", [] (int i) { return std::to_string (i + 1) + "//1"; }, false}};
   for (const auto& [extra, corner, has_normals] : forms) {
     std::ostringstream faces;
@@ -427,6 +451,28 @@ TEST_F (IoFormats, StlMergesCornersInTheirOrder)
                  1e-5F);
     EXPECT_EQ (NormalSource::FACES, cloud.normals);
     expectOutward (cloud);
+  }
+}
+
+TEST_F (IoFormats, StlThatBeginsWithABlankOrSolid)
+{
+  const vtkNew<vtkPolyData> data = polyData();
+  for (const bool binary : {false, true}) {
+    const std::string file = directory_.file ("a.stl");
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileName (file.c_str());
+    writer->SetInputData (data);
+    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+    ASSERT_EQ (1, writer->Write());
+    std::ifstream stream (file, std::ios::binary);
+    std::string text ((std::istreambuf_iterator<char> (stream)), {});
+    text = binary ? "solid" + text.substr (5) : " \n" + text;
+    const InputCloud plain = read (file);
+    const InputCloud other = read (directory_.file ("b.stl", text));
+    ASSERT_EQ (plain.points->size(), other.points->size());
+    for (std::size_t i = 0; i < plain.points->size(); ++i)
+      ASSERT_EQ ((*plain.points)[i].getVector3fMap(),
+                 (*other.points)[i].getVector3fMap());
   }
 }
 
