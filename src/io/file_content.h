@@ -59,11 +59,11 @@ void
 checkFaces (const FileContent& content);
 
 // The readers, one for each format, take the whole content of a file and throw
-// ReadError, or what PCL throws, where it is not of their format. That of text takes
+// ReadError where it is not of their format. That of text takes
 // ReadOptions::columns, too.
 
 FileContent
-readPcd (const std::string& file, const std::string& text);
+readPcd (const std::string& text);
 FileContent
 readPly (const std::string& text);
 FileContent

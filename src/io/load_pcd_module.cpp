@@ -17,7 +17,7 @@ namespace crest {
 
 namespace {
 
-PcdReader
+LzfDecoder
 load ()
 {
   static const char of_this_library = 0;
@@ -36,28 +36,28 @@ load ()
   // Never closed: libraries of the module do not unload safely.
   void* const library = ::dlopen (module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const function =
-      library != nullptr ? ::dlsym (library, "pcl_crest_read_pcd") : nullptr;
+      library != nullptr ? ::dlsym (library, "pcl_crest_decode_lzf") : nullptr;
   if (function == nullptr)
     throw ReadError ("PCL's part in reading it could not be loaded from " + module +
                      ": " + ::dlerror());
-  return reinterpret_cast<PcdReader> (function);
+  return reinterpret_cast<LzfDecoder> (function);
 }
 
 } // namespace
 
-PcdReader
-loadPcdReader ()
+LzfDecoder
+loadLzf ()
 {
-  static const PcdReader reader = load();
-  return reader;
+  static const LzfDecoder decoder = load();
+  return decoder;
 }
 
 #else
 
-PcdReader
-loadPcdReader ()
+LzfDecoder
+loadLzf ()
 {
-  return &pcl_crest_read_pcd;
+  return &pcl_crest_decode_lzf;
 }
 
 #endif

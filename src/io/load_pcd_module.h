@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader of PCD files, whose library is loaded when it is first asked for.
+// What unpacks compressed PCD files, whose library is loaded when it is first asked
+// for.
 #pragma once
 
 #include "io/pcd_module.h"
@@ -7,13 +8,13 @@
 namespace pcl {
 namespace crest {
 
-using PcdReader = decltype (&pcl_crest_read_pcd);
+using LzfDecoder = decltype (&pcl_crest_decode_lzf);
 
 /** \brief The function of the module that is where this library is; throws a ReadError
  * if that is not there.
  */
-PcdReader
-loadPcdReader ();
+LzfDecoder
+loadLzf ();
 
 } // namespace crest
 } // namespace pcl

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pcd_module.h"
 
-#include <pcl/io/pcd_io.h>
+#include <pcl/io/lzf.h>
 
 bool
-pcl_crest_read_pcd (const char* file,
-                    pcl::PCLPointCloud2& data,
-                    Eigen::Vector4f& origin,
-                    Eigen::Quaternionf& orientation)
+pcl_crest_decode_lzf (const char* data,
+                      unsigned size,
+                      char* unpacked,
+                      unsigned unpacked_size)
 {
-  int version = 0;
-  return pcl::PCDReader().read (file, data, origin, orientation, version) >= 0;
+  return pcl::lzfDecompress (data, size, unpacked, unpacked_size) == unpacked_size;
 }

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PCL's reader of PCD files, in a module of its own: PCL's IO brings along VTK and some
-// sixty libraries, which would take every program that reads any format longer to load
-// than most clouds take to compute.
+// PCL's decompression of PCD files, in a module of its own: PCL's IO brings along VTK
+// and some sixty libraries, which would take every program that reads any format longer
+// to load than most clouds take to compute.
 #pragma once
 
 #include <pcl_crest/types.h>
 
-#include <pcl/PCLPointCloud2.h>
-
-#include <Eigen/Geometry>
-
 extern "C" {
 
-/** \brief pcl::PCDReader::read; returns whether the file could be read. */
+/** \brief pcl::lzfDecompress; whether the data, of a size in bytes, unpack to as many
+ * bytes as there is room for.
+ */
 PCL_CREST_EXPORT bool
-pcl_crest_read_pcd (const char* file,
-                    pcl::PCLPointCloud2& data,
-                    Eigen::Vector4f& origin,
-                    Eigen::Quaternionf& orientation);
+pcl_crest_decode_lzf (const char* data,
+                      unsigned size,
+                      char* unpacked,
+                      unsigned unpacked_size);
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PCD through PCL's reader, once its header is known to be true to the file:
-// PCL makes room for as many points as the header announces.
+// PCD, text, binary and compressed: x y z, normals, colors and the viewpoint; all else
+// that a file may declare is passed over. pcl::PCDReader is not used because it makes
+// room for as many points as the header announces, makes up what is missing in text,
+// and refuses fields without numbers, which drivers of lidars write between others.
+// What is compressed PCL's LZF unpacks.
 #include "io/file_content.h"
 #include "io/load_pcd_module.h"
 #include "io/number_type.h"
+#include "io/point_field.h"
 
 #include <array>
+#include <cstring>
 #include <limits>
 
 namespace pcl {
@@ -14,17 +19,22 @@ namespace crest {
 namespace {
 
 struct PcdHeader {
+  std::vector<std::string> fields;
   std::vector<std::size_t> sizes;
+  std::string types;
   std::vector<std::size_t> counts;
-  std::size_t fields = 0;
+  std::size_t width = 0;
+  std::size_t height = 1;
   std::size_t points = 0;
+  /** x y z, and the quaternion w x y z */
+  std::array<float, 7> viewpoint{0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F};
   std::string coding;
 
   std::uint64_t
   pointSize () const
   {
     std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < fields; ++i)
+    for (std::size_t i = 0; i < fields.size(); ++i)
       bytes += sizes[i] * counts[i];
     return bytes;
   }
@@ -67,9 +77,9 @@ readCounts (const TextScanner& scanner)
   constexpr std::size_t LARGEST = 1U << 20U;
   std::vector<std::size_t> counts = readNumbers (scanner);
   for (const std::size_t count : counts)
-    if (count == 0 || count > LARGEST)
+    if (count > LARGEST)
       scanner.fail ("a field has a count of " + std::to_string (count) +
-                    ", but must have one from 1 to " + std::to_string (LARGEST));
+                    ", but must have one up to " + std::to_string (LARGEST));
   return counts;
 }
 
@@ -77,9 +87,6 @@ PcdHeader
 readHeader (TextScanner& scanner)
 {
   PcdHeader header;
-  std::size_t width = 0;
-  std::size_t height = 1;
-  std::string types;
   bool has_width = false;
   bool has_points = false;
   const auto number = [&scanner] {
@@ -95,20 +102,20 @@ readHeader (TextScanner& scanner)
       scanner.fail ("the file ends within its header, before \"DATA\"");
     const std::vector<std::string_view>& words = scanner.words();
     if (words[0] == "FIELDS" || words[0] == "COLUMNS")
-      header.fields = words.size() - 1;
+      header.fields.assign (words.begin() + 1, words.end());
     else if (words[0] == "SIZE")
       header.sizes = readSizes (scanner);
     else if (words[0] == "COUNT")
       header.counts = readCounts (scanner);
     else if (words[0] == "TYPE")
       for (std::size_t i = 1; i < words.size(); ++i)
-        types += words[i];
+        header.types += words[i];
     else if (words[0] == "WIDTH") {
-      width = number();
+      header.width = number();
       has_width = true;
     }
     else if (words[0] == "HEIGHT")
-      height = number();
+      header.height = number();
     else if (words[0] == "POINTS") {
       header.points = number();
       has_points = true;
@@ -117,7 +124,8 @@ readHeader (TextScanner& scanner)
       if (words.size() != 8)
         scanner.fail ("expected a viewpoint of 7 numbers");
       for (std::size_t i = 1; i < words.size(); ++i)
-        scanner.number<double> (words[i], "a number");
+        header.viewpoint[i - 1] =
+            static_cast<float> (scanner.number<double> (words[i], "a number"));
     }
     else if (words[0] == "DATA" && words.size() == 2)
       header.coding = words[1];
@@ -125,19 +133,20 @@ readHeader (TextScanner& scanner)
       scanner.fail ("expected a line of a PCD header, found \"" +
                     TextScanner::shown (words[0]) + "\"");
   }
-  checkPointCount (width * height);
+  checkPointCount (header.width * header.height);
   if (!has_points)
-    header.points = width * height;
+    header.points = header.width * header.height;
   if (header.counts.empty())
-    header.counts.assign (header.fields, 1);
-  if (!has_width || header.points != width * height)
+    header.counts.assign (header.fields.size(), 1);
+  if (!has_width || header.points != header.width * header.height)
     throw ReadError ("its header announces " + std::to_string (header.points) +
-                     " points, but a width of " + std::to_string (width) +
-                     " and a height of " + std::to_string (height));
-  if (header.fields == 0 || header.sizes.size() != header.fields ||
-      header.counts.size() != header.fields || types.size() != header.fields)
+                     " points, but a width of " + std::to_string (header.width) +
+                     " and a height of " + std::to_string (header.height));
+  const std::size_t fields = header.fields.size();
+  if (fields == 0 || header.sizes.size() != fields || header.counts.size() != fields ||
+      header.types.size() != fields)
     throw ReadError ("its header needs FIELDS, SIZE, TYPE and COUNT of equal numbers");
-  // PCL keeps the places of fields in an int.
+  // PCL, which writes the others, keeps the places of fields in an int.
   constexpr std::uint64_t LARGEST_POINT = std::numeric_limits<std::int32_t>::max();
   if (header.pointSize() > LARGEST_POINT)
     throw ReadError ("its header announces points of " +
@@ -146,20 +155,163 @@ readHeader (TextScanner& scanner)
   return header;
 }
 
-/** \brief PCL's reader takes what it can of a row and makes up the rest. */
-void
-checkRows (const PcdHeader& header, TextScanner& scanner)
+NumberType
+typeOf (char type, std::size_t size)
 {
+  constexpr NumberType SIGNED[] = {
+      NumberType::INT8, NumberType::INT16, NumberType::INT32, NumberType::INT64};
+  constexpr NumberType UNSIGNED[] = {
+      NumberType::UINT8, NumberType::UINT16, NumberType::UINT32, NumberType::UINT64};
+  const std::size_t place = size == 1 ? 0 : size == 2 ? 1 : size == 4 ? 2 : 3;
+  if (type == 'I')
+    return SIGNED[place];
+  if (type == 'U')
+    return UNSIGNED[place];
+  if (type == 'F' && size >= 4)
+    return size == 4 ? NumberType::FLOAT32 : NumberType::FLOAT64;
+  return NumberType::NONE;
+}
+
+/** \brief A field that is kept. */
+struct KeptField {
+  NumberType type = NumberType::NONE;
+  /** numbers of a point before it */
+  std::size_t word = 0;
+  /** bytes of a point before it */
+  std::size_t offset = 0;
+  /** bytes of all its numbers */
+  std::size_t size = 0;
+};
+
+/** \brief Makes points of what the data of a file hold. */
+class PcdPoints {
+public:
+  explicit PcdPoints (const PcdHeader& header) : header_ (header)
+  {
+    std::string present;
+    KeptField next;
+    for (std::size_t i = 0; i < header.fields.size(); ++i) {
+      const std::string& name = header.fields[i];
+      present += (present.empty() ? "" : " ") + name;
+      next.type = typeOf (header.types[i], header.sizes[i]);
+      next.size = header.sizes[i] * header.counts[i];
+      const PointField field = pointFieldOf (name);
+      // A name of "_" stands for bytes that mean nothing.
+      if (header.counts[i] != 0 && next.type != NumberType::NONE) {
+        if (field < PointField::RED && !fields_[placeOf (field)])
+          fields_[placeOf (field)] = next;
+        if ((name == "rgb" || name == "rgba" || name == "RGB" || name == "RGBA") &&
+            header.sizes[i] == 4)
+          color_ = next;
+      }
+      next.word += header.counts[i];
+      next.offset += next.size;
+    }
+    if (!fields_[0] || !fields_[1] || !fields_[2])
+      throw ReadError ("it has the fields \"" + present +
+                       "\", but x, y and z are needed");
+    content_.has_normals = fields_[3] && fields_[4] && fields_[5];
+    numbers_ = content_.has_normals ? 6 : 3;
+  }
+
+  /** \brief To be called when it is known that the file holds them. */
+  void
+  makeRoom ()
+  {
+    content_.points->reserve (header_.points);
+    if (color_)
+      content_.colors.reserve (header_.points);
+  }
+
+  void
+  add (const TextScanner& scanner)
+  {
+    const std::vector<std::string_view>& words = scanner.words();
+    if (words.size() != header_.numbers())
+      scanner.fail ("expected " + std::to_string (header_.numbers()) +
+                    " numbers, found " + std::to_string (words.size()));
+    words_.resize (words.size());
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words_[i] = scanner.number<double> (words[i], "a number");
+    std::array<double, 6> values{};
+    for (std::size_t i = 0; i < numbers_; ++i)
+      values[i] = words_[fields_[i]->word];
+    std::uint32_t color = 0;
+    if (color_) {
+      const double number = words_[color_->word];
+      if (color_->type == NumberType::FLOAT32) {
+        const auto bytes = static_cast<float> (number);
+        std::memcpy (&color, &bytes, sizeof (color));
+      }
+      else if (number >= 0.0 && number <= std::numeric_limits<std::uint32_t>::max())
+        color = static_cast<std::uint32_t> (number);
+    }
+    add (values, color);
+  }
+
+  /** \brief Adds all points of binary data.
+   * \param[in] data the points one after the other, or field by field
+   */
+  void
+  add (const char* data, bool by_field)
+  {
+    const std::uint64_t step = header_.pointSize();
+    // Of the field at an offset, that of the point i.
+    const auto at = [&] (const KeptField& field, std::size_t i) {
+      return by_field ? data + field.offset * header_.points + i * field.size
+                      : data + i * step + field.offset;
+    };
+    for (std::size_t i = 0; i < header_.points; ++i) {
+      std::array<double, 6> values{};
+      for (std::size_t j = 0; j < numbers_; ++j)
+        values[j] = decode (at (*fields_[j], i), fields_[j]->type, false);
+      add (values, color_ ? decodeAs<std::uint32_t> (at (*color_, i), false) : 0);
+    }
+  }
+
+  FileContent
+  take ()
+  {
+    const auto& v = header_.viewpoint;
+    content_.points->width = static_cast<std::uint32_t> (header_.width);
+    content_.points->height = static_cast<std::uint32_t> (header_.height);
+    content_.viewpoint = Eigen::Vector3f (v[0], v[1], v[2]);
+    content_.points->sensor_origin_ = Eigen::Vector4f (v[0], v[1], v[2], 0.0F);
+    content_.points->sensor_orientation_ = Eigen::Quaternionf (v[3], v[4], v[5], v[6]);
+    return std::move (content_);
+  }
+
+private:
+  void
+  add (const std::array<double, 6>& values, std::uint32_t color)
+  {
+    content_.points->push_back (makePoint (values.data(), content_.has_normals));
+    if (color_)
+      content_.colors.push_back ({static_cast<unsigned char> (color >> 16U),
+                                  static_cast<unsigned char> (color >> 8U),
+                                  static_cast<unsigned char> (color)});
+  }
+
+  const PcdHeader& header_;
+  std::array<std::optional<KeptField>, 6> fields_;
+  std::optional<KeptField> color_;
+  std::size_t numbers_ = 3;
+  std::vector<double> words_;
+  FileContent content_;
+};
+
+void
+readRows (const PcdHeader& header, TextScanner& scanner, PcdPoints& points)
+{
+  // A number takes at least a digit and a blank.
+  if (header.points <= scanner.remaining() / 2)
+    points.makeRoom();
   std::size_t rows = 0;
-  while (scanner.nextLine()) {
-    if (++rows > header.points)
+  for (; scanner.nextLine(); ++rows) {
+    if (rows == header.points)
       scanner.fail ("expected " + std::to_string (header.points) +
                     " points as its header announces, found more");
-    if (scanner.words().size() != header.numbers())
-      scanner.fail ("expected " + std::to_string (header.numbers()) +
-                    " numbers, found " + std::to_string (scanner.words().size()));
-    for (const std::string_view word : scanner.words())
-      scanner.number<double> (word, "a number");
+    points.add (scanner);
   }
   if (rows != header.points)
     throw ReadError ("its header announces " + std::to_string (header.points) +
@@ -167,18 +319,16 @@ checkRows (const PcdHeader& header, TextScanner& scanner)
 }
 
 void
-checkData (const PcdHeader& header, TextScanner& scanner)
+readBinary (const PcdHeader& header, TextScanner& scanner, PcdPoints& points)
 {
-  if (header.coding == "ascii") {
-    checkRows (header, scanner);
-    return;
-  }
+  const bool compressed = header.coding == "binary_compressed";
+  if (!compressed && header.coding != "binary")
+    throw ReadError ("its data are \"" + TextScanner::shown (header.coding) +
+                     "\", but must be ascii, binary or binary_compressed");
   // Neither factor has more than 31 bits.
   const std::uint64_t size = header.points * header.pointSize();
-  std::uint64_t needed = 0;
-  if (header.coding == "binary")
-    needed = size;
-  else if (header.coding == "binary_compressed") {
+  std::uint64_t needed = size;
+  if (compressed) {
     // LZF makes at most 264 bytes of 3.
     constexpr std::size_t BEST_RATIO = 88;
     const std::string_view sizes = scanner.bytes (8, "the size of the data");
@@ -188,99 +338,39 @@ checkData (const PcdHeader& header, TextScanner& scanner)
       throw ReadError ("its compressed data do not make up the " +
                        std::to_string (header.points) + " points that it announces");
   }
-  else
-    throw ReadError ("its data are \"" + TextScanner::shown (header.coding) +
-                     "\", but must be ascii, binary or binary_compressed");
   if (needed > scanner.remaining())
     throw ReadError ("its header announces " + std::to_string (header.points) +
                      " points, which take at least " + std::to_string (needed) +
                      " bytes, but only " + std::to_string (scanner.remaining()) +
                      " follow");
-}
-
-NumberType
-typeOf (const pcl::PCLPointField& field)
-{
-  switch (field.datatype) {
-  case pcl::PCLPointField::INT8:
-    return NumberType::INT8;
-  case pcl::PCLPointField::UINT8:
-    return NumberType::UINT8;
-  case pcl::PCLPointField::INT16:
-    return NumberType::INT16;
-  case pcl::PCLPointField::UINT16:
-    return NumberType::UINT16;
-  case pcl::PCLPointField::INT32:
-    return NumberType::INT32;
-  case pcl::PCLPointField::UINT32:
-    return NumberType::UINT32;
-  case pcl::PCLPointField::FLOAT32:
-    return NumberType::FLOAT32;
-  case pcl::PCLPointField::FLOAT64:
-    return NumberType::FLOAT64;
-  default:
-    return NumberType::NONE;
+  const std::string_view data = scanner.bytes (needed, "the data");
+  points.makeRoom();
+  if (!compressed) {
+    points.add (data.data(), false);
+    return;
   }
+  std::string unpacked (size, '\0');
+  if (size != 0 && !loadLzf() (data.data(),
+                               static_cast<unsigned> (needed),
+                               unpacked.data(),
+                               static_cast<unsigned> (size)))
+    throw ReadError ("its data are not as its header says");
+  points.add (unpacked.data(), true);
 }
 
 } // namespace
 
 FileContent
-readPcd (const std::string& file, const std::string& text)
+readPcd (const std::string& text)
 {
   TextScanner scanner (text, '#');
-  checkData (readHeader (scanner), scanner);
-
-  pcl::PCLPointCloud2 data;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  if (!loadPcdReader() (file.c_str(), data, origin, orientation))
-    throw ReadError ("its data are not as its header says");
-
-  constexpr std::array<const char*, 6> NAMES{
-      "x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  std::array<const pcl::PCLPointField*, 6> fields{};
-  const pcl::PCLPointField* packed_color = nullptr;
-  std::string present;
-  for (const pcl::PCLPointField& field : data.fields) {
-    present += (present.empty() ? "" : " ") + field.name;
-    for (std::size_t i = 0; i < NAMES.size(); ++i)
-      if (field.name == NAMES[i] && typeOf (field) != NumberType::NONE)
-        fields[i] = &field;
-    if ((field.name == "rgb" || field.name == "rgba") && sizeOf (typeOf (field)) == 4)
-      packed_color = &field;
-  }
-  if (!fields[0] || !fields[1] || !fields[2])
-    throw ReadError ("it has the fields \"" + present +
-                     "\", but x, y and z are needed");
-  FileContent content;
-  content.has_normals = fields[3] && fields[4] && fields[5];
-  content.viewpoint = origin.head<3>();
-  const std::size_t numbers = content.has_normals ? 6 : 3;
-  const std::size_t size = std::size_t (data.width) * data.height;
-  content.points->reserve (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto* const point =
-        reinterpret_cast<const char*> (data.data.data() + i * data.point_step);
-    double values[6];
-    for (std::size_t j = 0; j < numbers; ++j)
-      values[j] =
-          decode (point + fields[j]->offset, typeOf (*fields[j]), HOST_IS_BIG_ENDIAN);
-    content.points->push_back (makePoint (values, content.has_normals));
-    if (packed_color != nullptr) {
-      // Whatever the type says, it is not a number but bytes.
-      const auto color =
-          decodeAs<std::uint32_t> (point + packed_color->offset, HOST_IS_BIG_ENDIAN);
-      content.colors.push_back ({static_cast<unsigned char> (color >> 16U),
-                                 static_cast<unsigned char> (color >> 8U),
-                                 static_cast<unsigned char> (color)});
-    }
-  }
-  content.points->width = data.width;
-  content.points->height = data.height;
-  content.points->sensor_origin_ = origin;
-  content.points->sensor_orientation_ = orientation;
-  return content;
+  const PcdHeader header = readHeader (scanner);
+  PcdPoints points (header);
+  if (header.coding == "ascii")
+    readRows (header, scanner, points);
+  else
+    readBinary (header, scanner, points);
+  return points.take();
 }
 
 } // namespace crest

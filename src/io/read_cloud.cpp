@@ -17,8 +17,8 @@ namespace crest {
 
 namespace {
 
-/** \brief Keeps PCL's readers quiet: what they print names no file, and the one clear
- * message comes from readCloud.
+/** \brief Keeps PCL's decompression quiet: what they print names no file, and the one
+ * clear message comes from readCloud.
  */
 class QuietConsole {
 public:

@@ -18,7 +18,6 @@ namespace crest {
 namespace {
 
 struct Source {
-  const std::string& file;
   const std::string& text;
   const ReadOptions& options;
 };
@@ -36,7 +35,7 @@ readTextOf (const Source& source)
 }
 
 constexpr Format FORMATS[] = {
-    {"pcd", [] (const Source& source) { return readPcd (source.file, source.text); }},
+    {"pcd", [] (const Source& source) { return readPcd (source.text); }},
     {"ply", [] (const Source& source) { return readPly (source.text); }},
     {"obj", [] (const Source& source) { return readObj (source.text); }},
     {"off", [] (const Source& source) { return readOff (source.text); }},
@@ -109,7 +108,7 @@ readContent (const std::string& file, const ReadOptions& options)
   if (!options.columns.empty() && format->read != readTextOf)
     throw ReadError ("it is no text whose columns -columns could tell: " +
                      std::string (format->name) + " files name them");
-  FileContent content = format->read ({file, text, options});
+  FileContent content = format->read ({text, options});
   if (content.points->empty())
     throw ReadError ("it has no points");
   checkPointCount (content.points->size());

@@ -11,7 +11,7 @@
 namespace pcl {
 namespace crest {
 
-/** \brief Reads a file of any format; throws a ReadError, or what PCL throws.
+/** \brief Reads a file of any format; throws a ReadError.
  * \param[in] file the path
  * \param[in] options of the format
  */

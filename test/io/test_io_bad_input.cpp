@@ -241,10 +241,8 @@ TEST_F (IoBadInput, PcdFieldsThatNoPointCanHave)
              refusal ("a.pcd", pcd (256, "1048576", "1048576", 65536)));
   EXPECT_EQ (":3: a field has numbers of 3 bytes, but must have 1, 2, 4 or 8",
              refusal ("a.pcd", pcd (1, "3", "1", 1)));
-  EXPECT_EQ (":5: a field has a count of 1048577, but must have one from 1 to 1048576",
+  EXPECT_EQ (":5: a field has a count of 1048577, but must have one up to 1048576",
              refusal ("a.pcd", pcd (1, "8", "1048577", 1)));
-  EXPECT_EQ (":5: a field has a count of 0, but must have one from 1 to 1048576",
-             refusal ("a.pcd", pcd (1, "8", "0", 1)));
   EXPECT_EQ (": its header announces points of 2147483660 bytes, but at most "
              "2147483647 are supported",
              refusal ("a.pcd", pcd (256, "8", "1048576", 1)));

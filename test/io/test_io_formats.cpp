@@ -204,6 +204,27 @@ TEST_F (IoFormats, PcdOfDoubles)
   EXPECT_EQ (Eigen::Vector3f (6, 5, 4), (*cloud.points)[1].getVector3fMap());
 }
 
+TEST_F (IoFormats, PcdOfLidarDrivers)
+{
+  // Upper case, and bytes between the fields, of which some are none at all.
+  const std::string header = "FIELDS _ X Y Z _ ring _ RGB\nSIZE 1 4 4 4 2 1 1 4\n"
+                             "TYPE U F F F U U U U\nCOUNT 3 1 1 1 0 1 2 1\nWIDTH 2\n"
+                             "HEIGHT 1\nPOINTS 2\nDATA ";
+  std::string binary = header + "binary\n";
+  for (const std::array<float, 3>& p : {std::array<float, 3>{1, 2, 3}, {4, 5, 6}}) {
+    binary += "abc" + std::string (reinterpret_cast<const char*> (p.data()), 12) +
+              std::string ("r__\x03\x02\x01\0", 7);
+  }
+  for (const std::string& text :
+       {binary, header + "ascii\n9 9 9 1 2 3 7 8 8 66051\n9 9 9 4 5 6 7 8 8 66051\n"}) {
+    const InputCloud cloud = read (directory_.file ("a.pcd", text));
+    ASSERT_EQ (2U, cloud.points->size());
+    EXPECT_EQ (Eigen::Vector3f (1, 2, 3), (*cloud.points)[0].getVector3fMap());
+    EXPECT_EQ (Eigen::Vector3f (4, 5, 6), (*cloud.points)[1].getVector3fMap());
+    EXPECT_EQ ((std::array<unsigned char, 3>{1, 2, 3}), cloud.colors.at (1));
+  }
+}
+
 TEST_F (IoFormats, PlyFromPcl)
 {
   const std::string file = directory_.file ("a.ply");
