@@ -75,6 +75,8 @@ readStl (const std::string& text);
 FileContent
 readVtk (const std::string& text);
 FileContent
+readPtx (const std::string& text);
+FileContent
 readXyz (const std::string& text, const std::vector<std::string>& columns);
 
 } // namespace crest

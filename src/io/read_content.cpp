@@ -47,6 +47,7 @@ constexpr Format FORMATS[] = {
     {"asc", readTextOf},
     {"pts", readTextOf},
     {"neu", readTextOf},
+    {"ptx", [] (const Source& source) { return readPtx (source.text); }},
 };
 
 const Format*

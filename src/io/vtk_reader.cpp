@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK legacy polydata, text and binary, of file versions 1 to 5: POINTS, POLYGONS,
-// TRIANGLE_STRIPS and the NORMALS of points; all else is passed over.
-// vtkPolyDataReader is not used because it makes room for whatever sizes a file
-// announces before it looks whether the data are there.
+// VTK legacy polydata and unstructured grids, text and binary, of file versions 1 to 5:
+// POINTS, POLYGONS, TRIANGLE_STRIPS, CELLS that are faces, and the NORMALS of points;
+// all else is passed over. vtkPolyDataReader is not used because it makes room for
+// whatever sizes a file announces before it looks whether the data are there.
 #include "io/file_content.h"
 #include "io/number_type.h"
 
@@ -86,8 +86,9 @@ private:
     if (scanner_.nextWord() != "DATASET")
       scanner_.fail ("expected DATASET");
     const std::string_view dataset = scanner_.nextWord();
-    if (dataset != "POLYDATA")
-      scanner_.fail ("only the dataset POLYDATA is supported, found \"" +
+    if (dataset != "POLYDATA" && dataset != "UNSTRUCTURED_GRID")
+      scanner_.fail ("only the datasets POLYDATA and UNSTRUCTURED_GRID are supported, "
+                     "found \"" +
                      TextScanner::shown (dataset) + "\"");
     if (binary_)
       scanner_.forgetLines();
@@ -105,8 +106,10 @@ private:
         content_.points->push_back (makePoint (&values[i], false));
     }
     else if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS" ||
-             keyword == "LINES" || keyword == "VERTICES")
+             keyword == "LINES" || keyword == "VERTICES" || keyword == "CELLS")
       readCells (keyword);
+    else if (keyword == "CELL_TYPES")
+      readCellTypes();
     else if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
       tuples_ = readSize ("tuples");
       of_points_ = keyword == "POINT_DATA";
@@ -144,8 +147,38 @@ private:
           corners.push_back (numbers[next++]);
       }
     }
-    if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS")
+    if (keyword == "CELLS") {
+      // Their types, which follow, tell what they are.
+      cell_sizes_ = std::move (sizes);
+      cell_corners_ = std::move (corners);
+    }
+    else if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS")
       addFaces (sizes, corners, keyword == "TRIANGLE_STRIPS");
+  }
+
+  void
+  readCellTypes ()
+  {
+    constexpr double TRIANGLE = 5;
+    constexpr double STRIP = 6;
+    constexpr double POLYGON = 7;
+    constexpr double QUAD = 9;
+    const std::vector<double> types =
+        readArray (readSize ("types of cells"), NumberType::INT32);
+    if (types.size() != cell_sizes_.size())
+      scanner_.fail ("there are " + std::to_string (cell_sizes_.size()) +
+                     " cells, but " + std::to_string (types.size()) + " types of them");
+    auto first = cell_corners_.begin();
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      const double size = cell_sizes_[i];
+      if (!(size >= 0 && size <= static_cast<double> (cell_corners_.end() - first)))
+        scanner_.fail ("a cell has more corners than the file lists");
+      const auto next = first + static_cast<std::ptrdiff_t> (size);
+      if (types[i] == TRIANGLE || types[i] == STRIP || types[i] == POLYGON ||
+          types[i] == QUAD)
+        addFaces ({size}, {first, next}, types[i] == STRIP);
+      first = next;
+    }
   }
 
   void
@@ -308,6 +341,8 @@ private:
   bool binary_ = false;
   /** whether cells are stored by offsets, as since version 5 */
   bool offsets_ = false;
+  std::vector<double> cell_sizes_;
+  std::vector<double> cell_corners_;
   std::size_t tuples_ = 0;
   bool of_points_ = false;
   std::vector<double> normals_;

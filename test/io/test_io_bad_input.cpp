@@ -35,6 +35,9 @@ const std::map<std::string, std::string> GOOD{
     {"a.vtk",
      VTK_HEADER +
          "POINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nPOLYGONS 1 4\n3 0 1 2\n"},
+    {"a.ptx",
+     "2\n2\n0 0 9\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+     "0 0 1 .5\n1 0 1 .5\n0 1 1 .5\n1 1 1 .5\n"},
     {"a.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n"}};
 
 class IoBadInput : public testing::Test {
@@ -134,6 +137,16 @@ TEST_F (IoBadInput, MistakesAreNamedWithTheirLine)
          ":1: expected at least 3 numbers, x y z, parted by blanks, tabs, commas or "
          "semicolons, found \"0 0\""},
         {"# only a comment\n", ": it has no points"}}},
+      {"a.ptx",
+       {{"2\n2\n0 0\n",
+         ":3: expected the position of the scanner, 3 numbers, found 2 words"},
+        {"1\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+         "1 2 3 0 4 5 256\n",
+         ":11: expected a color up to 255, found \"256\""},
+        {"2000000000\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+         "0 0 0 1\n1 2 3 0\n",
+         ":10: the scan should have 2000000000 points, but the file is too short for "
+         "them"}}},
       {"a.stl",
        {{"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n",
          ":5: the file ends where a coordinate was expected"},
@@ -146,8 +159,9 @@ TEST_F (IoBadInput, MistakesAreNamedWithTheirLine)
         {"ply\nformat ascii 1.0\nelement vertex 1\n",
          ":3: the file ends within its header, before \"end_header\""}}},
       {"a.vtk",
-       {{"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n",
-         ":4: only the dataset POLYDATA is supported, found \"UNSTRUCTURED_GRID\""},
+       {{"# vtk DataFile Version 3.0\nx\nASCII\nDATASET RECTILINEAR_GRID\n",
+         ":4: only the datasets POLYDATA and UNSTRUCTURED_GRID are supported, found "
+         "\"RECTILINEAR_GRID\""},
         {VTK_HEADER + "POINTS 1 float\n0 0 0\nPOLYGONS 1 4\n3 0 0 1\n",
          ":8: a face has a corner that is not one of the 1 points"}}},
       {"a.pcd",

@@ -19,6 +19,8 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSTLWriter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridWriter.h>
 
 #include "support/sphere_mesh.h"
 #include "support/temporary_directory.h"
@@ -426,6 +428,70 @@ TEST_F (IoFormats, VtkOfEveryVersionAndCoding)
           expectOutward (cloud);
         EXPECT_EQ (normals ? NormalSource::FILE : NormalSource::FACES, cloud.normals);
       }
+  }
+}
+
+TEST_F (IoFormats, VtkUnstructuredGrid)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints (polyData()->GetPoints());
+  const std::string file = directory_.file ("a.vtk");
+  const auto write = [&] (bool binary, int version) {
+    vtkNew<vtkUnstructuredGridWriter> writer;
+    writer->SetFileName (file.c_str());
+    writer->SetInputData (grid);
+    writer->SetFileVersion (version);
+    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+    return writer->Write();
+  };
+  const vtkIdType vertex = 0;
+  grid->InsertNextCell (VTK_VERTEX, 1, &vertex);
+  for (const auto& t : mesh_.triangles) {
+    const vtkIdType corners[3] = {t[0], t[1], t[2]};
+    grid->InsertNextCell (VTK_TRIANGLE, 3, corners);
+  }
+  for (const bool binary : {false, true})
+    for (const int version :
+         {vtkUnstructuredGridWriter::VTK_LEGACY_READER_VERSION_4_2,
+          vtkUnstructuredGridWriter::VTK_LEGACY_READER_VERSION_5_1}) {
+      ASSERT_EQ (1, write (binary, version));
+      const InputCloud cloud = read (file);
+      expectPoints (cloud, binary ? 0.0F : 1e-5F);
+      EXPECT_EQ (NormalSource::FACES, cloud.normals);
+      expectOutward (cloud);
+    }
+}
+
+TEST_F (IoFormats, PtxOfTwoScans)
+{
+  // The second is turned by a quarter about z, and moved; one beam is missing.
+  const std::string head = "2\n1\n7 8 9\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string plain =
+      head + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 .5 255 0 9\n0 0 0 .5 0 0 0\n";
+  const std::string moved = head + "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n"
+                                   "1 2 3 .5 1 2 3\n4 5 6 .5 1 2 3\n";
+  const InputCloud cloud = read (directory_.file ("a.ptx", plain + moved));
+  ASSERT_EQ (4U, cloud.points->size());
+  EXPECT_EQ (Eigen::Vector3f (1, 2, 3), (*cloud.points)[0].getVector3fMap());
+  EXPECT_TRUE (std::isnan ((*cloud.points)[1].x));
+  EXPECT_EQ (Eigen::Vector3f (8, 21, 33), (*cloud.points)[2].getVector3fMap());
+  EXPECT_EQ (Eigen::Vector3f (5, 24, 36), (*cloud.points)[3].getVector3fMap());
+  EXPECT_EQ ((std::array<unsigned char, 3>{255, 0, 9}), cloud.colors.at (0));
+  EXPECT_EQ (0U, cloud.notes.at (0).find ("1 of 4 beams"));
+}
+
+TEST_F (IoFormats, PtxIsSeenFromItsScanner)
+{
+  // A plane has no side but the scanner's.
+  for (const int z : {9, -9}) {
+    std::string text = "30\n30\n3 3 " + std::to_string (z) +
+                       "\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    for (int i = 0; i < 900; ++i)
+      text += std::to_string (0.2 * (i / 30)) + " " + std::to_string (0.2 * (i % 30)) +
+              " 1 0.5\n";
+    const InputCloud cloud = read (directory_.file ("a.ptx", text));
+    for (const pcl::PointNormal& point : *cloud.points)
+      ASSERT_GT (point.normal_z * static_cast<float> (z), 0.0F);
   }
 }
 

@@ -388,15 +388,15 @@ TEST_F (IoNormals, UselessNormalsOfTheFileAreReplaced)
     return cloud;
   };
   const InputCloud all =
-      read ("0 0 0 0 0 0\n1 0 0 nan 0 0\n0 1 0 0 0 0\n1 1 0 0 inf 0\n");
+      read ("x y z nx ny nz\n0 0 0 0 0 0\n1 0 0 nan 0 0\n0 1 0 0 0 0\n1 1 0 0 inf 0\n");
   EXPECT_EQ (NormalSource::ESTIMATED, all.normals);
-  EXPECT_NE (std::string::npos, all.notes.at (0).find ("all zero or not finite"));
+  EXPECT_NE (std::string::npos, all.notes.at (1).find ("all zero or not finite"));
   for (const pcl::PointNormal& point : *all.points)
     EXPECT_NEAR (1.0F, point.normal_z, 1e-5F);
   const InputCloud some =
-      read ("0 0 0 0 0 9\n1 0 0 nan 0 0\n0 1 0 0 0 0\n1 1 0 0 0 1\n");
+      read ("x y z nx ny nz\n0 0 0 0 0 9\n1 0 0 nan 0 0\n0 1 0 0 0 0\n1 1 0 0 0 1\n");
   EXPECT_EQ (NormalSource::FILE, some.normals);
-  EXPECT_EQ ("2 of 4 normals of the file are zero or not finite.", some.notes.at (0));
+  EXPECT_EQ ("2 of 4 normals of the file are zero or not finite.", some.notes.at (1));
   EXPECT_EQ (9.0F, some.points->front().normal_z);
   EXPECT_FALSE (some.points->is_dense);
 }

@@ -79,8 +79,8 @@ explainInvalid (const ReadOptions& options);
 /** \brief Reads a cloud and sees to its normals: from the file, else from the faces,
  * else estimated from k neighbours and made consistent over the cloud.
  *
- * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, VTK (legacy
- * polydata), or text with a point a line (XYZ, TXT, CSV, ASC, PTS, NEU). Points are
+ * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, PTX, VTK
+ * (legacy polydata and unstructured grids), or text with a point a line (XYZ, TXT, CSV, ASC, PTS, NEU). Points are
  * those of the file in its order; STL files list the corners of triangles, of which
  * equal ones become one point.
  *
