@@ -221,8 +221,9 @@ main (int argc, char** argv)
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
            "Extracts crest lines, that is ridges and valleys, from a point cloud.\n"
-           "INPUT is a file of one of the formats that -format lists; its normals\n"
-           "are used, else those of its faces, else they are estimated.\n"
+           "INPUT is a file of one of the formats that -format lists, packed by gzip\n"
+           "or not; its normals are used, else those of its faces, else they are\n"
+           "estimated.\n"
            "OUTPUT.pcd gets each point with its normal, its largest principal\n"
            "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
            "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"

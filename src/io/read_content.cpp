@@ -3,6 +3,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include "io/gzip.h"
 #include "io/output_file.h"
 #include "io/text_columns.h"
 
@@ -88,8 +89,6 @@ readText (const std::string& file)
   stream.read (text.data(), static_cast<std::streamsize> (text.size()));
   if (!stream)
     throw ReadError (std::string ("it cannot be read: ") + std::strerror (errno));
-  if (text.empty())
-    throw ReadError ("it is empty");
   return text;
 }
 
@@ -98,8 +97,14 @@ readText (const std::string& file)
 FileContent
 readContent (const std::string& file, const ReadOptions& options)
 {
-  const std::string text = readText (file);
-  const std::string extension = extensionOf (file);
+  std::string text = readText (file);
+  std::string extension = extensionOf (file);
+  if (extension == ".gz")
+    extension = extensionOf (std::filesystem::path (file).stem().string());
+  if (isGzip (text))
+    text = unpackGzip (text);
+  if (text.empty())
+    throw ReadError ("it is empty");
   const Format* const format =
       formatOf (!options.format.empty() || extension.empty() ? options.format
                                                              : extension.substr (1));
