@@ -421,6 +421,9 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-threads", "99999"}, "at most");
   expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd");
   expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")}, ".obj, .ply or .vtk");
+  expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
+  expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");
+  expectUsageError ({in, out, "-columns", "x,y,z,x"}, "as in x,y,z,-,nx,ny,nz");
   expectUsageError ({in, out, "-stats", outputs_.file ("s.txt")}, "must be .json");
   expectUsageError ({in, out, "-curvatures", out}, "named twice");
   expectUsageError ({out, out}, "named twice");
