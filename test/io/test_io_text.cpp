@@ -122,7 +122,8 @@ TEST_F (IoText, EveryDialect)
         const auto written = [commas] (const std::string& text) {
           return commas ? withCommas (text) : text;
         };
-        SCOPED_TRACE ("separator \"" + separator + "\" end \"" + end + "\"");
+        SCOPED_TRACE (testing::Message()
+                      << "separator \"" << separator << "\" end \"" << end << "\"");
         expectPoints (read (written (rows (separator, end))), NormalSource::ESTIMATED);
         expectPoints (read (written (rows (separator, end, with_normals))),
                       NormalSource::FILE);
@@ -224,7 +225,7 @@ TEST_F (IoText, NumbersOrNamesOfPointsFirst)
     std::string text;
     std::string row;
     for (int i = 7; std::getline (plain, row); ++i)
-      text += name + std::to_string (i) + "," + row + "\n";
+      text.append (name).append (std::to_string (i)).append (",").append (row) += '\n';
     const InputCloud cloud = read (text);
     expectPoints (cloud, NormalSource::ESTIMATED);
     EXPECT_EQ ("The columns are -,x,y,z, by their values, without normals.",
