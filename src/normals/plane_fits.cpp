@@ -108,7 +108,7 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
   // more than a third if they are noise: then no better normal will make clumps of
   // them. Few points are as if in clumps by chance, or where faces meet.
   constexpr double FEW = 40.0;
-  constexpr double CLUMPS_OF_FEW = 0.1;
+  constexpr double CLUMPS_OF_FEW = 0.09;
   constexpr double CLUMPS = 0.17;
   constexpr double HOPELESS = 0.3;
   const double count = all.weight();
