@@ -486,9 +486,10 @@ TEST_F (IoFormats, PtxIsSeenFromItsScanner)
   for (const int z : {9, -9}) {
     std::string text = "30\n30\n3 3 " + std::to_string (z) +
                        "\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
-    for (int i = 0; i < 900; ++i)
-      text += std::to_string (0.2 * (i / 30)) + " " + std::to_string (0.2 * (i % 30)) +
-              " 1 0.5\n";
+    for (int column = 0; column < 30; ++column)
+      for (int row = 0; row < 30; ++row)
+        text += std::to_string (0.2 * column) + " " + std::to_string (0.2 * row) +
+                " 1 0.5\n";
     const InputCloud cloud = read (directory_.file ("a.ptx", text));
     for (const pcl::PointNormal& point : *cloud.points)
       ASSERT_GT (point.normal_z * static_cast<float> (z), 0.0F);
@@ -553,7 +554,7 @@ TEST_F (IoFormats, StlThatBeginsWithABlankOrSolid)
     ASSERT_EQ (1, writer->Write());
     std::ifstream stream (file, std::ios::binary);
     std::string text ((std::istreambuf_iterator<char> (stream)), {});
-    text = binary ? "solid" + text.substr (5) : " \n" + text;
+    text.replace (0, binary ? 5 : 0, binary ? "solid" : " \n");
     const InputCloud plain = read (file);
     const InputCloud other = read (directory_.file ("b.stl", text));
     ASSERT_EQ (plain.points->size(), other.points->size());
