@@ -108,8 +108,8 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
   // more than a third if they are noise: then no better normal will make clumps of
   // them. Few points are as if in clumps by chance, or where faces meet.
   constexpr double FEW = 40.0;
-  constexpr double CLUMPS_OF_FEW = 0.09;
-  constexpr double CLUMPS = 0.17;
+  constexpr double CLUMPS_OF_FEW = 0.08;
+  constexpr double CLUMPS = 0.11;
   constexpr double HOPELESS = 0.3;
   const double count = all.weight();
   Eigen::Vector3d normal = axes.normal;
