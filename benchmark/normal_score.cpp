@@ -5,8 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include "timed_run.h"
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -15,16 +16,6 @@ namespace accuracy {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
-
-double
-milliseconds (const std::function<void()>& work)
-{
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli> (std::chrono::steady_clock::now() -
-                                                    start)
-      .count();
-}
 
 /** \brief Angles to the exact normals in degrees, 0 to 180; 90 without a normal. */
 std::vector<double>
@@ -95,13 +86,13 @@ runNormals (const Cloud& cloud, bool closed, unsigned threads)
   if (!closed)
     request.hints.up = Eigen::Vector3f::UnitZ();
   run.milliseconds =
-      milliseconds ([&] { run.estimate = pcl::crest::estimateNormals (request); });
+      millisecondsOf ([&] { run.estimate = pcl::crest::estimateNormals (request); });
 
   pcl::NormalEstimationOMP<pcl::PointNormal, pcl::Normal> estimation (threads);
   estimation.setInputCloud (cloud.makeShared());
   estimation.setKSearch (NORMAL_NEIGHBORS);
   pcl::PointCloud<pcl::Normal> normals;
-  run.milliseconds_of_pcl = milliseconds ([&] { estimation.compute (normals); });
+  run.milliseconds_of_pcl = millisecondsOf ([&] { estimation.compute (normals); });
   for (const pcl::Normal& normal : normals)
     run.of_pcl.emplace_back (normal.getNormalVector3fMap());
   return run;

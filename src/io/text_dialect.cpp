@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/text_dialect.h"
 
+#include "io/text_scanner.h"
+
 #include <cctype>
 #include <functional>
 #include <map>
@@ -12,12 +14,6 @@ namespace {
 
 constexpr std::size_t LEAST_COLUMNS = 3;
 
-bool
-isBlank (char c)
-{
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
 std::string_view
 trimmed (std::string_view word)
 {
@@ -26,21 +22,6 @@ trimmed (std::string_view word)
   while (!word.empty() && isBlank (word.back()))
     word.remove_suffix (1);
   return word;
-}
-
-void
-splitAtBlanks (std::string_view row, std::vector<std::string_view>& words)
-{
-  std::size_t i = 0;
-  while (i < row.size()) {
-    while (i < row.size() && isBlank (row[i]))
-      ++i;
-    const std::size_t first = i;
-    while (i < row.size() && !isBlank (row[i]))
-      ++i;
-    if (i > first)
-      words.push_back (row.substr (first, i - first));
-  }
 }
 
 /** \brief How many of the rows have the commonest number of words, or the wanted one,

@@ -12,13 +12,22 @@ isLineEnd (char c)
   return c == '\n' || c == '\r';
 }
 
-bool
-isBlank (char c)
-{
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
 } // namespace
+
+void
+splitAtBlanks (std::string_view line, std::vector<std::string_view>& words)
+{
+  std::size_t i = 0;
+  while (i < line.size()) {
+    while (i < line.size() && isBlank (line[i]))
+      ++i;
+    const std::size_t first = i;
+    while (i < line.size() && !isBlank (line[i]))
+      ++i;
+    if (i > first)
+      words.push_back (line.substr (first, i - first));
+  }
+}
 
 void
 TextScanner::skipLineEnd()
@@ -50,16 +59,7 @@ TextScanner::continueLine()
   std::string_view line = rawLine();
   if (comment_ != NO_COMMENTS)
     line = line.substr (0, line.find (comment_));
-  std::size_t i = 0;
-  while (i < line.size()) {
-    while (i < line.size() && isBlank (line[i]))
-      ++i;
-    const std::size_t first = i;
-    while (i < line.size() && !isBlank (line[i]))
-      ++i;
-    if (i > first)
-      words_.push_back (line.substr (first, i - first));
-  }
+  splitAtBlanks (line, words_);
   return true;
 }
 

@@ -31,6 +31,17 @@ private:
   std::size_t line_;
 };
 
+/** \brief Whether it parts words within a line. */
+inline bool
+isBlank (char c)
+{
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+/** \brief Appends the words of a line that blanks part; views into the line. */
+void
+splitAtBlanks (std::string_view line, std::vector<std::string_view>& words);
+
 /** \brief Walks through a text by lines or by words, and through blocks of bytes
  * within it. Lines may end in LF, CR LF or CR.
  */

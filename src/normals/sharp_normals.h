@@ -11,13 +11,14 @@ namespace crest {
 /** \brief Gives samples beside sharp edges, where the k nearest lie on several faces,
  * the plane of a window near by that fits its own points at least twice as well, and
  * the sample, too: as Kuwahara et al. 1976 smooth images up to their edges. Where no
- * window does, as on faces narrower than windows, and there is no noise, it is the
+ * window does, as on faces narrower than windows, and there is little noise, it is the
  * plane through the sample on which the most of its neighbours are. Else, as on smooth
  * surfaces and in noise, nothing changes.
  *
  * \param[in] tree that the fits were made from
  *
- * \param[in,out] fits their nearest planes change
+ * \param[in,out] fits their nearest planes change, and where there is hardly any noise
+ * those that votes are for, too
  */
 void
 sharpenNormals (const PointTree& tree, PlaneFits& fits, const Workers& workers);

@@ -27,7 +27,6 @@
 
 #include <clocale>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <locale>
@@ -140,6 +139,17 @@ protected:
     data->SetPoints (points);
     data->SetPolys (cells);
     return data;
+  }
+
+  /** \brief Writes the mesh as VTK does. */
+  void
+  writeStl (bool binary, const std::string& file) const
+  {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileName (file.c_str());
+    writer->SetInputData (polyData());
+    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+    ASSERT_EQ (1, writer->Write());
   }
 };
 
@@ -524,14 +534,9 @@ TEST_F (IoFormats, StlMergesCornersInTheirOrder)
     for (const int corner : t)
       if (std::find (order.begin(), order.end(), corner) == order.end())
         order.push_back (corner);
-  const vtkNew<vtkPolyData> data = polyData();
   for (const bool binary : {false, true}) {
     const std::string file = directory_.file ("a.stl");
-    vtkNew<vtkSTLWriter> writer;
-    writer->SetFileName (file.c_str());
-    writer->SetInputData (data);
-    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
-    ASSERT_EQ (1, writer->Write());
+    writeStl (binary, file);
     const InputCloud cloud = read (file);
     ASSERT_EQ (order.size(), cloud.points->size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -544,16 +549,10 @@ TEST_F (IoFormats, StlMergesCornersInTheirOrder)
 
 TEST_F (IoFormats, StlThatBeginsWithABlankOrSolid)
 {
-  const vtkNew<vtkPolyData> data = polyData();
   for (const bool binary : {false, true}) {
     const std::string file = directory_.file ("a.stl");
-    vtkNew<vtkSTLWriter> writer;
-    writer->SetFileName (file.c_str());
-    writer->SetInputData (data);
-    binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
-    ASSERT_EQ (1, writer->Write());
-    std::ifstream stream (file, std::ios::binary);
-    std::string text ((std::istreambuf_iterator<char> (stream)), {});
+    writeStl (binary, file);
+    std::string text = oracle::contentOf (file);
     text.replace (0, binary ? 5 : 0, binary ? "solid" : " \n");
     const InputCloud plain = read (file);
     const InputCloud other = read (directory_.file ("b.stl", text));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oracle {
 
@@ -79,17 +80,26 @@ visibleWidth (const EdgeSide& side,
   return side.width;
 }
 
+/** \brief A scene whose crests and bounds are not filled in. */
+template <typename Surface>
+Scene
+startScene (const Surface& surface, RayCaster cast)
+{
+  Scene scene;
+  scene.name = surface.name;
+  scene.cast = std::move (cast);
+  scene.sample = [surface] (std::size_t count, unsigned seed) {
+    return oracle::sample (surface, count, seed);
+  };
+  return scene;
+}
+
 } // namespace
 
 Scene
 sceneOf (const SharpSolid& solid)
 {
-  Scene scene;
-  scene.name = solid.name;
-  scene.cast = castSolid (solid);
-  scene.sample = [solid] (std::size_t count, unsigned seed) {
-    return oracle::sample (solid, count, seed);
-  };
+  Scene scene = startScene (solid, castSolid (solid));
   scene.low = scene.high = solid.edges.front().a;
   for (const SolidFace& face : solid.faces)
     for (const double x : {0.0, face.width})
@@ -111,12 +121,7 @@ sceneOf (const SharpSolid& solid)
 Scene
 heightFieldScene (const AnalyticSurface& surface)
 {
-  Scene scene;
-  scene.name = surface.name;
-  scene.cast = castHeightField (surface);
-  scene.sample = [surface] (std::size_t count, unsigned seed) {
-    return oracle::sample (surface, count, seed);
-  };
+  Scene scene = startScene (surface, castHeightField (surface));
   scene.low = {surface.u_min, surface.v_min, -1.0};
   scene.high = {surface.u_max, surface.v_max, 1.0};
   for (const TruthSegment& piece : trueCrestLines (surface))

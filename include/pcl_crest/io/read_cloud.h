@@ -81,9 +81,9 @@ explainInvalid (const ReadOptions& options);
  *
  * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, PTX, VTK
  * (legacy polydata and unstructured grids), or text with a point a line (XYZ, TXT, CSV,
- * ASC, PTS, NEU). Any of
- * them may be packed by gzip, as in "scan.ply.gz". Points are those of the file in its
- * order; STL files list the corners of triangles, of which equal ones become one point.
+ * ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points are
+ * those of the file in its order; STL files list the corners of triangles, of which
+ * equal ones become one point.
  *
  * The columns of text may be parted by blanks, tabs, commas or semicolons, and decimals
  * by commas where that is certain. A line of names tells what the columns are; without
