@@ -27,6 +27,12 @@ struct VotingNodes {
   std::vector<std::uint8_t> turned;
   /** of each node how many samples it has */
   std::vector<std::size_t> sizes;
+
+  SignedSets::Place
+  placeOf (index_t sample) const
+  {
+    return {of_sample[sample], turned[sample] != 0};
+  }
 };
 
 VotingNodes
@@ -95,18 +101,23 @@ connect (const std::vector<SignVote>& votes, const VotingNodes& nodes)
   return parts;
 }
 
+/** \brief Adds the votes of samples.
+ *
+ * \param[in] place (sample) its node of the graph, and whether its sign is opposite to
+ * that one's
+ */
+template <typename PlaceOf>
 void
 addVotes (const std::vector<SignVote>& votes,
-          const VotingNodes& nodes,
+          const PlaceOf& place,
           SignedContraction& graph)
 {
   for (const SignVote& vote : votes) {
-    const index_t a = nodes.of_sample[vote.a];
-    const index_t b = nodes.of_sample[vote.b];
-    const bool turned = nodes.turned[vote.a] != nodes.turned[vote.b];
+    const SignedSets::Place a = place (vote.a);
+    const SignedSets::Place b = place (vote.b);
     const float weight = weightOf (vote.agreement);
-    if (a != b)
-      graph.vote (a, b, turned ? -weight : weight);
+    if (a.root != b.root)
+      graph.vote (a.root, b.root, a.turned != b.turned ? -weight : weight);
   }
 }
 
@@ -288,7 +299,8 @@ public:
     constexpr float ENOUGH = 1.5F;
     const std::size_t count = nodes.sizes.size();
     SignedContraction graph (nodes.sizes);
-    addVotes (votes, nodes, graph);
+    addVotes (
+        votes, [&nodes] (index_t i) { return nodes.placeOf (i); }, graph);
     graph.contract (AGREED, ENOUGH, PIECE);
     pieces_ = clustersOf (graph, count);
     graph.contract (AGREED, ENOUGH, nodes.of_sample.size());
@@ -353,30 +365,49 @@ joinClusters (const std::vector<SignVote>& votes,
               const RayVotes& rays)
 {
   const std::size_t count = nodes.sizes.size();
-  const auto outside = static_cast<index_t> (count);
-  std::vector<std::size_t> sizes = nodes.sizes;
+  // Clusters by the nodes that they are known by, and behind them what is outside.
+  std::vector<index_t> number (count, -1);
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 0; i < count; ++i) {
+    index_t& of_root = number[clusters[i].root];
+    if (of_root < 0) {
+      of_root = static_cast<index_t> (sizes.size());
+      sizes.push_back (0);
+    }
+    sizes[of_root] += nodes.sizes[i];
+  }
+  const auto outside = static_cast<index_t> (sizes.size());
   sizes.push_back (0);
   SignedContraction graph (std::move (sizes));
-  addVotes (votes, nodes, graph);
-  for (std::size_t i = 0; i < count; ++i)
-    graph.join (clusters[i].root, static_cast<index_t> (i), clusters[i].turned);
+  addVotes (
+      votes,
+      [&] (index_t i) {
+        const SignedSets::Place node = nodes.placeOf (i);
+        const SignedSets::Place& cluster = clusters[node.root];
+        return SignedSets::Place{number[cluster.root], node.turned != cluster.turned};
+      },
+      graph);
   // Rays count as much as all votes along the border of a cluster, which are those of
   // other clusters until the first ray adds to them.
   std::vector<float> weights;
   for (const RayTest& test : rays.tests)
     weights.push_back (static_cast<float> (RayVotes::verdict (test)) *
-                       (1.0F + graph.border (graph.find (test.root).root)));
+                       (1.0F + graph.border (number[test.root])));
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] != 0.0F && rays.isClosed (parts.of_node[rays.tests[i].root]))
-      graph.vote (outside, rays.tests[i].root, weights[i]);
+      graph.vote (outside, number[rays.tests[i].root], weights[i]);
   graph.contract (0.0F, 0.0F, nodes.of_sample.size());
 
-  NodeSigns signs{{}, graph.agreements()};
+  NodeSigns signs;
+  const std::vector<float> agreements = graph.agreements();
   const SignedSets::Place of_outside = graph.find (outside);
   for (std::size_t i = 0; i < count; ++i) {
-    const SignedSets::Place place = graph.find (static_cast<index_t> (i));
+    const index_t cluster = number[clusters[i].root];
+    const SignedSets::Place place = graph.find (cluster);
+    const bool turned = place.turned != clusters[i].turned;
     const bool outside_turned = place.root == of_outside.root && of_outside.turned;
-    signs.turned.push_back (place.turned != outside_turned ? 1 : 0);
+    signs.turned.push_back (turned != outside_turned ? 1 : 0);
+    signs.agreement.push_back (agreements[cluster]);
   }
   return signs;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/ray_parity.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -36,96 +38,137 @@ RayParity::RayParity (const PlaneFits& fits) : fits_ (fits)
 {
   // In spacings: so that the discs of a sheet leave no holes.
   constexpr float RADIUS = 1.7F;
-  discs_.reserve (fits.size());
-  for (std::size_t i = 0; i < fits.size(); ++i)
-    discs_.push_back ({fits.feet[i], fits.normals[i], RADIUS * fits.spacing (i)});
-
-  const auto group = [] (std::size_t count, const auto& boxOf) {
-    std::vector<Box> boxes;
-    for (std::size_t first = 0; first < count; first += CHILDREN) {
-      Box box;
-      box.low.setConstant (std::numeric_limits<float>::infinity());
-      box.high = -box.low;
-      for (std::size_t i = first; i < std::min (count, first + CHILDREN); ++i) {
-        const Box child = boxOf (i);
-        box.low = box.low.min (child.low);
-        box.high = box.high.max (child.high);
-      }
-      boxes.push_back (box);
+  using Box = Eigen::AlignedBox3f;
+  std::vector<Box> boxes;
+  discs_.resize ((fits.size() + CHILDREN - 1) / CHILDREN);
+  boxes.resize (discs_.size());
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const float radius = RADIUS * fits.spacing (i);
+    Discs& discs = discs_[i / CHILDREN];
+    const std::size_t child = i % CHILDREN;
+    for (int axis = 0; axis < 3; ++axis) {
+      discs.center[axis][child] = fits.feet[i][axis];
+      discs.normal[axis][child] = fits.normals[i][axis];
     }
-    return boxes;
-  };
-  levels_.push_back (group (discs_.size(), [this] (std::size_t i) {
-    const Disc& disc = discs_[i];
-    return Box{disc.center.array() - disc.radius, disc.center.array() + disc.radius};
-  }));
-  while (levels_.back().size() > CHILDREN) {
-    const std::vector<Box>& below = levels_.back();
-    levels_.push_back (
-        group (below.size(), [&below] (std::size_t i) { return below[i]; }));
+    discs.squared_radius[child] = radius * radius;
+    const Eigen::Vector3f reach = Eigen::Vector3f::Constant (radius);
+    boxes[i / CHILDREN].extend (Box (fits.feet[i] - reach, fits.feet[i] + reach));
   }
+  do {
+    std::vector<Boxes> level ((boxes.size() + CHILDREN - 1) / CHILDREN);
+    std::vector<Box> around (level.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      Boxes& group = level[i / CHILDREN];
+      for (int axis = 0; axis < 3; ++axis) {
+        group.low[axis][group.count] = boxes[i].min()[axis];
+        group.high[axis][group.count] = boxes[i].max()[axis];
+      }
+      ++group.count;
+      around[i / CHILDREN].extend (boxes[i]);
+    }
+    levels_.push_back (std::move (level));
+    boxes = std::move (around);
+  }
+  while (boxes.size() > 1);
 }
 
 bool
-RayParity::findHits (const Eigen::Vector3f& from,
-                     const Eigen::Vector3f& direction,
-                     std::vector<Hit>& hits) const
+RayParity::meet (const Ray& ray, const Discs& discs, std::vector<Hit>& hits)
 {
   constexpr float ALONG = 0.05F;
+  const float dx = ray.direction.x();
+  const float dy = ray.direction.y();
+  const float dz = ray.direction.z();
+  float cosines[CHILDREN];
+  float distances[CHILDREN];
+  float offsets[CHILDREN];
+#pragma omp simd
+  for (std::size_t i = 0; i < CHILDREN; ++i) {
+    const float x = discs.center[0][i] - ray.from.x();
+    const float y = discs.center[1][i] - ray.from.y();
+    const float z = discs.center[2][i] - ray.from.z();
+    const float* const nx = discs.normal[0];
+    const float* const ny = discs.normal[1];
+    const float* const nz = discs.normal[2];
+    const float cosine = std::abs (nx[i] * dx + ny[i] * dy + nz[i] * dz);
+    const float to_plane =
+        (nx[i] * x + ny[i] * y + nz[i] * z) / (nx[i] * dx + ny[i] * dy + nz[i] * dz);
+    const float to_foot = x * dx + y * dy + z * dz;
+    const float distance = cosine < ALONG ? to_foot : to_plane;
+    const float off_x = distance * dx - x;
+    const float off_y = distance * dy - y;
+    const float off_z = distance * dz - z;
+    cosines[i] = cosine;
+    distances[i] = distance;
+    offsets[i] = off_x * off_x + off_y * off_y + off_z * off_z;
+  }
+  bool runs_along_none = true;
+  for (std::size_t i = 0; i < CHILDREN; ++i)
+    if (distances[i] > 0.0F && offsets[i] < discs.squared_radius[i]) {
+      if (cosines[i] < ALONG)
+        runs_along_none = false;
+      else
+        hits.push_back ({distances[i], cosines[i]});
+    }
+  return runs_along_none;
+}
+
+unsigned
+RayParity::meet (const Ray& ray, const Boxes& boxes)
+{
+  float in[CHILDREN] = {};
+  float out[CHILDREN];
+  std::fill_n (out, CHILDREN, std::numeric_limits<float>::infinity());
+  for (int axis = 0; axis < 3; ++axis) {
+    const float from = ray.from[axis];
+    const float inverse = 1.0F / ray.direction[axis];
+    const float* const low = boxes.low[axis];
+    const float* const high = boxes.high[axis];
+#pragma omp simd
+    for (std::size_t i = 0; i < CHILDREN; ++i) {
+      const float to_low = (low[i] - from) * inverse;
+      const float to_high = (high[i] - from) * inverse;
+      const float nearer = to_low < to_high ? to_low : to_high;
+      const float farther = to_low < to_high ? to_high : to_low;
+      in[i] = in[i] < nearer ? nearer : in[i];
+      out[i] = farther < out[i] ? farther : out[i];
+    }
+  }
+  unsigned met = 0;
+  for (int i = 0; i < boxes.count; ++i)
+    met |= in[i] <= out[i] ? 1U << i : 0U;
+  return met;
+}
+
+bool
+RayParity::findHits (const Ray& ray, std::vector<Hit>& hits) const
+{
   hits.clear();
   bool runs_along_none = true;
-  const auto meet = [&] (const Disc& disc) {
-    const float cosine = disc.normal.dot (direction);
-    const Eigen::Vector3f arm = disc.center - from;
-    const float squared_radius = disc.radius * disc.radius;
-    if (std::abs (cosine) < ALONG) {
-      const float distance = arm.dot (direction);
-      if (distance > 0.0F && arm.squaredNorm() - distance * distance < squared_radius)
-        runs_along_none = false;
-      return;
-    }
-    const float distance = disc.normal.dot (arm) / cosine;
-    if (distance > 0.0F && (distance * direction - arm).squaredNorm() < squared_radius)
-      hits.push_back ({distance, std::abs (cosine)});
-  };
-
-  struct Range {
-    std::size_t level, first, last;
+  struct Group {
+    std::size_t level, number;
   };
   // All siblings wait on each of the levels, which are no more than 11.
-  std::array<Range, 11 * CHILDREN> waiting;
+  std::array<Group, 11 * CHILDREN> waiting;
   std::size_t count = 0;
-  waiting[count++] = {levels_.size() - 1, 0, levels_.back().size()};
-  const Eigen::Array3f inverse = direction.array().inverse();
+  waiting[count++] = {levels_.size() - 1, 0};
   while (count != 0) {
-    const Range range = waiting[--count];
-    for (std::size_t b = range.first; b < range.last; ++b) {
-      const Box& box = levels_[range.level][b];
-      const Eigen::Array3f to_low = (box.low - from.array()) * inverse;
-      const Eigen::Array3f to_high = (box.high - from.array()) * inverse;
-      const float in = to_low.min (to_high).maxCoeff();
-      const float out = to_low.max (to_high).minCoeff();
-      if (out < std::max (in, 0.0F))
-        continue;
+    const Group group = waiting[--count];
+    unsigned met = meet (ray, levels_[group.level][group.number]);
+    for (; met != 0; met &= met - 1) {
       const std::size_t below =
-          range.level == 0 ? discs_.size() : levels_[range.level - 1].size();
-      const std::size_t first = b * CHILDREN;
-      const std::size_t last = std::min (first + CHILDREN, below);
-      if (range.level != 0)
-        waiting[count++] = {range.level - 1, first, last};
-      else
-        std::for_each (discs_.begin() + static_cast<std::ptrdiff_t> (first),
-                       discs_.begin() + static_cast<std::ptrdiff_t> (last),
-                       meet);
+          group.number * CHILDREN + static_cast<std::size_t> (__builtin_ctz (met));
+      if (group.level != 0)
+        waiting[count++] = {group.level - 1, below};
+      else if (!meet (ray, discs_[below], hits))
+        runs_along_none = false;
     }
   }
   return runs_along_none;
 }
 
 RayParity::Sheets
-RayParity::countSheets (const Eigen::Vector3f& from,
-                        const Eigen::Vector3f& direction,
-                        float spacing) const
+RayParity::countSheets (const Ray& ray, float spacing) const
 {
   constexpr float DOUBT = 0.3F;
   constexpr float FLAT_DOUBT = 0.4F;
@@ -137,7 +180,7 @@ RayParity::countSheets (const Eigen::Vector3f& from,
   constexpr float SHEET = 1.5F;
   thread_local std::vector<Hit> hits;
   Sheets sheets;
-  if (!findHits (from, direction, hits))
+  if (!findHits (ray, hits))
     sheets.certainty *= DOUBT;
   std::sort (hits.begin(), hits.end(), [] (const Hit& a, const Hit& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.cosine < b.cosine;
@@ -189,7 +232,7 @@ RayParity::vote (std::size_t sample) const
     ++side.rays;
     const Eigen::Vector3f from =
         fits_.feet[sample] + std::copysign (start, cosine) * normal;
-    const Sheets sheets = countSheets (from, direction, spacing);
+    const Sheets sheets = countSheets ({from, direction}, spacing);
     side.inside += sheets.count % 2 != 0 ? sheets.certainty : -sheets.certainty;
     side.certainty += sheets.certainty;
   }

@@ -25,15 +25,20 @@ public:
 private:
   static constexpr std::size_t CHILDREN = 8;
 
-  struct Disc {
-    Eigen::Vector3f center;
-    Eigen::Vector3f normal;
-    float radius;
+  /** \brief Discs that are near each other, coordinate by coordinate; those that are
+   * missing have no radius.
+   */
+  struct Discs {
+    float center[3][CHILDREN] = {};
+    float normal[3][CHILDREN] = {};
+    float squared_radius[CHILDREN] = {};
   };
 
-  struct Box {
-    Eigen::Array3f low;
-    Eigen::Array3f high;
+  /** \brief Their boxes, or those of such boxes. */
+  struct Boxes {
+    float low[3][CHILDREN] = {};
+    float high[3][CHILDREN] = {};
+    int count = 0;
   };
 
   /** \brief Where a ray meets a disc, and the cosine between them. */
@@ -49,23 +54,35 @@ private:
     float certainty = 1.0F;
   };
 
+  struct Ray {
+    Eigen::Vector3f from;
+    Eigen::Vector3f direction;
+  };
+
+  /** \brief Adds the discs of a group that a ray meets.
+   * \return whether it runs along none
+   */
+  static bool
+  meet (const Ray& ray, const Discs& discs, std::vector<Hit>& hits);
+
+  /** \brief The boxes that a ray meets, a bit each. */
+  static unsigned
+  meet (const Ray& ray, const Boxes& boxes);
+
   /** \brief The discs that a ray meets, in no special order.
    * \return whether it runs along none
    */
   bool
-  findHits (const Eigen::Vector3f& from,
-            const Eigen::Vector3f& direction,
-            std::vector<Hit>& hits) const;
+  findHits (const Ray& ray, std::vector<Hit>& hits) const;
 
   Sheets
-  countSheets (const Eigen::Vector3f& from,
-               const Eigen::Vector3f& direction,
-               float spacing) const;
+  countSheets (const Ray& ray, float spacing) const;
 
   const PlaneFits& fits_;
-  std::vector<Disc> discs_;
-  /** boxes of CHILDREN discs, of as many of these boxes, and so on */
-  std::vector<std::vector<Box>> levels_;
+  std::vector<Discs> discs_;
+  /** group g of a level has the boxes of groups CHILDREN g and so on of the level
+   * below; the last has one group */
+  std::vector<std::vector<Boxes>> levels_;
 };
 
 } // namespace crest

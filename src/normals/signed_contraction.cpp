@@ -53,8 +53,8 @@ SignedContraction::border (index_t root) const
 {
   // Sorted, as the order of a hash table is nobody's business.
   std::vector<float> amounts;
-  for (const auto& other : votes_[root])
-    amounts.push_back (other.second.amount);
+  votes_[root].forEach (
+      [&amounts] (index_t, const Votes& votes) { amounts.push_back (votes.amount); });
   std::sort (amounts.begin(), amounts.end());
   float sum = 0.0F;
   for (const float amount : amounts)
@@ -70,33 +70,17 @@ SignedContraction::merge (index_t keep, index_t drop, bool opposite, float agree
   merges_.push_back ({keep, drop, keeps_larger, agreement});
   sizes_[keep] += sizes_[drop];
   votes_[keep].erase (drop);
-  const std::unordered_map<index_t, Votes> dropped =
-      std::exchange (votes_[drop], std::unordered_map<index_t, Votes>());
-  for (const auto& [other, votes] : dropped) {
-    if (other == keep)
-      continue;
+  votes_[drop].erase (keep);
+  const IndexMap<Votes> dropped = std::exchange (votes_[drop], IndexMap<Votes>());
+  votes_[keep].reserve (votes_[keep].size() + dropped.size());
+  dropped.forEach ([&] (index_t other, const Votes& votes) {
     Votes& sum = votes_[keep][other];
     sum.sum += opposite ? -votes.sum : votes.sum;
     sum.amount += votes.amount;
     votes_[other].erase (drop);
     votes_[other][keep] = sum;
     changed_.push_back (other);
-  }
-}
-
-void
-SignedContraction::join (index_t a, index_t b, bool opposite)
-{
-  const SignedSets::Place of_a = sets_.find (a);
-  const SignedSets::Place of_b = sets_.find (b);
-  if (of_a.root == of_b.root)
-    return;
-  const bool turned = (of_a.turned != of_b.turned) != opposite;
-  changed_.clear();
-  if (votes_[of_a.root].size() < votes_[of_b.root].size())
-    merge (of_b.root, of_a.root, turned, 1.0F);
-  else
-    merge (of_a.root, of_b.root, turned, 1.0F);
+  });
 }
 
 void
@@ -115,19 +99,20 @@ SignedContraction::contract (float least_agreement,
       queue.push ({std::abs (votes.sum), std::min (a, b), std::max (a, b)});
   };
   for (std::size_t a = 0; a < votes_.size(); ++a)
-    for (const auto& [b, votes] : votes_[a])
-      if (static_cast<index_t> (a) < b)
-        offer (static_cast<index_t> (a), b, votes);
+    votes_[a].forEach (
+        [&, a = static_cast<index_t> (a)] (index_t b, const Votes& votes) {
+          if (a < b)
+            offer (a, b, votes);
+        });
   while (!queue.empty()) {
     const Candidate candidate = queue.top();
     queue.pop();
     // Candidates stay in the queue when their clusters are gone or their votes change.
-    const auto found = votes_[candidate.a].find (candidate.b);
-    if (found == votes_[candidate.a].end() ||
-        std::abs (found->second.sum) != candidate.weight ||
-        !is_wanted (candidate.a, candidate.b, found->second))
+    const Votes* const found = votes_[candidate.a].find (candidate.b);
+    if (found == nullptr || std::abs (found->sum) != candidate.weight ||
+        !is_wanted (candidate.a, candidate.b, *found))
       continue;
-    const Votes votes = found->second;
+    const Votes votes = *found;
     index_t keep = candidate.a;
     index_t drop = candidate.b;
     if (votes_[keep].size() < votes_[drop].size())

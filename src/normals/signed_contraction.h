@@ -2,10 +2,10 @@
 // Signs that most of the votes along all borders are for.
 #pragma once
 
+#include "base/index_map.h"
 #include "normals/signed_sets.h"
 
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace pcl {
@@ -35,10 +35,6 @@ public:
    */
   void
   contract (float least_agreement, float least_sum, std::size_t largest);
-
-  /** \brief Makes two nodes one cluster, whatever the votes. */
-  void
-  join (index_t a, index_t b, bool opposite);
 
   /** \brief The cluster of a node, known by one of its nodes, and whether its sign is
    * opposite to that one's.
@@ -78,7 +74,7 @@ private:
   SignedSets sets_;
   std::vector<std::size_t> sizes_;
   /** of the roots of clusters, by those of others */
-  std::vector<std::unordered_map<index_t, Votes>> votes_;
+  std::vector<IndexMap<Votes>> votes_;
   std::vector<Merge> merges_;
   /** the clusters whose votes for the last merged one are new */
   std::vector<index_t> changed_;
