@@ -100,7 +100,10 @@ mostOfTwoSheets (double count)
  * they do: found by turns of splitting the heights and fitting one normal to both.
  */
 std::optional<PlaneFit>
-fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
+fitTwoSheets (const Coordinates& offsets,
+              std::size_t size,
+              const Scatter& all,
+              const Axes& axes)
 {
   constexpr int ROUNDS = 4;
   constexpr double TURNED = 0.5;
@@ -119,7 +122,7 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
   double radius = 0.0;
   for (int round = 0; round < ROUNDS; ++round) {
     Scatter differences;
-    differences.add (offsets, 0, offsets.size(), [&] (std::size_t i) {
+    differences.add (offsets, 0, size, [&] (std::size_t i) {
       return normal.x() * offsets.x[i] + normal.y() * offsets.y[i] +
                          normal.z() * offsets.z[i] <
                      split
@@ -155,11 +158,13 @@ fitTwoSheets (const Coordinates& offsets, const Scatter& all, const Axes& axes)
 
 /** \brief The kurtosis of heights above a plane. */
 double
-kurtosisOf (const Coordinates& offsets, const Eigen::Vector3d& normal, double plane)
+kurtosisOf (const Coordinates& offsets,
+            std::size_t count,
+            const Eigen::Vector3d& normal,
+            double plane)
 {
   double squares = 0.0;
   double fourths = 0.0;
-  const std::size_t count = offsets.size();
 #pragma omp simd reduction(+ : squares, fourths)
   for (std::size_t i = 0; i < count; ++i) {
     const double height = normal.x() * offsets.x[i] + normal.y() * offsets.y[i] +
@@ -172,14 +177,19 @@ kurtosisOf (const Coordinates& offsets, const Eigen::Vector3d& normal, double pl
 }
 
 /** \brief The plane through the offsets of neighbours from a sample.
+ *
+ * \param[in] offsets the first so many of them
+ * \param[in] size
+ * \param[in] all the scatter of these
  * \param[in] rounding of the coordinates
  */
 PlaneFit
-fitPlane (const Coordinates& offsets, double rounding)
+fitPlane (const Coordinates& offsets,
+          std::size_t size,
+          const Scatter& all,
+          double rounding)
 {
   PlaneFit fit;
-  Scatter all;
-  all.add (offsets, 0, offsets.size(), [] (std::size_t) { return 1.0; });
   const double count = all.weight();
   if (count < 3.0)
     return fit;
@@ -192,11 +202,11 @@ fitPlane (const Coordinates& offsets, double rounding)
   fit.sigma = std::sqrt (axes.variances[0] * count / std::max (1.0, count - 3.0));
   fit.roughness = fit.sigma / axes.radius();
   if (fit.roughness > 0.5 * FLAT) {
-    fit.kurtosis = kurtosisOf (offsets, axes.normal, fit.height);
+    fit.kurtosis = kurtosisOf (offsets, size, axes.normal, fit.height);
     constexpr double ALONG = 1.5 * FLAT;
     std::optional<PlaneFit> sheets;
     if (fit.roughness > ALONG || fit.kurtosis < mostOfTwoSheets (count))
-      sheets = fitTwoSheets (offsets, all, axes);
+      sheets = fitTwoSheets (offsets, size, all, axes);
     if (sheets) {
       sheets->variation = fit.variation;
       sheets->radius = axes.radius();
@@ -224,14 +234,18 @@ public:
   fit (std::size_t first, std::size_t last)
   {
     int growth = 0;
-    fitWindows (0, first, last);
+    // Noise is that of the place: what was not enough for the last group will not be.
+    int fitted = grew_ ? 1 : 0;
+    fitWindows (0, fitted, first, last);
     while (roughness_[growth] >= FLAT && growth + 1 < GROWTHS &&
            k_ <= WIDEST >> (growth + 1)) {
-      fitWindows (growth + 1, first, last);
+      if (growth == fitted)
+        fitWindows (growth + 1, ++fitted, first, last);
       if (sigma_[growth + 1] > SHAPE * sigma_[growth] && roughness_[growth] < ROUND)
         break;
       ++growth;
     }
+    grew_ = growth > 0;
     for (std::size_t place = first; place < last; ++place) {
       const PlaneFit& nearest = windows_[0][place - first];
       const PlaneFit& window = windows_[growth][place - first];
@@ -255,57 +269,63 @@ private:
     return fits_.positions[place];
   }
 
+  /** \brief Fits all windows of some growths, with one search for the widest. */
   void
-  fitWindows (int growth, std::size_t first, std::size_t last)
+  fitWindows (int narrowest, int widest, std::size_t first, std::size_t last)
   {
-    if (!searches_[growth]) {
-      const int nearest = (k_ << growth) - 1;
-      searches_[growth].emplace (
-          tree_,
-          NeighborCount{growth == 0 ? std::max (nearest, PlaneFits::NEAREST)
-                                    : nearest});
-    }
-    Windows& windows = windows_[growth];
+    std::optional<LeafSearch>& search = searches_[widest];
+    if (!search)
+      search.emplace (tree_,
+                      NeighborCount{std::max ((k_ << widest) - 1, PlaneFits::NEAREST)});
     for (std::size_t begin = first; begin < last; begin += LEAF_SIZE) {
       const std::size_t end = std::min (begin + LEAF_SIZE, last);
-      if (growth < SHARED || !shareWindow (growth, begin, end, &windows[begin - first]))
-        fitEach (growth,
-                 searches_[growth]->searchLeaf (begin / LEAF_SIZE),
-                 &windows[begin - first]);
+      if (widest < SHARED || !shareWindow (widest, first, begin, end))
+        fitEach (narrowest, widest, first, search->searchLeaf (begin / LEAF_SIZE));
     }
     std::array<double, MEMBERS> values{};
-    const auto quartile = [&] (double PlaneFit::*value) {
-      const std::size_t count = last - first;
-      for (std::size_t i = 0; i < count; ++i)
-        values[i] = windows[i].*value;
-      std::nth_element (
-          values.begin(), values.begin() + count / 4, values.begin() + count);
-      return values[count / 4];
-    };
-    roughness_[growth] = quartile (&PlaneFit::roughness);
-    sigma_[growth] = quartile (&PlaneFit::sigma);
+    for (int growth = narrowest; growth <= widest; ++growth) {
+      const auto quartile = [&] (double PlaneFit::*value) {
+        const std::size_t count = last - first;
+        for (std::size_t i = 0; i < count; ++i)
+          values[i] = windows_[growth][i].*value;
+        std::nth_element (
+            values.begin(), values.begin() + count / 4, values.begin() + count);
+        return values[count / 4];
+      };
+      roughness_[growth] = quartile (&PlaneFit::roughness);
+      sigma_[growth] = quartile (&PlaneFit::sigma);
+    }
   }
 
   void
-  fitEach (int growth, const LeafNeighbors& found, PlaneFit* windows)
+  fitEach (int narrowest, int widest, std::size_t group, const LeafNeighbors& found)
   {
-    const auto wanted = static_cast<std::size_t> ((k_ << growth) - 1);
     for (int i = 0; i < found.count; ++i) {
       const auto place =
           static_cast<std::size_t> (found.first) + static_cast<std::size_t> (i);
       const std::size_t begin = found.offsets[i];
       const std::size_t end = found.offsets[i + 1];
-      const std::size_t count = std::min (wanted, end - begin);
-      offsets_.resize (1 + count);
+      const auto sizeOf = [&] (int growth) {
+        return 1 +
+               std::min (static_cast<std::size_t> ((k_ << growth) - 1), end - begin);
+      };
+      offsets_.resize (sizeOf (widest));
       offsets_.set (0, Eigen::Vector3d::Zero());
-      for (std::size_t j = 0; j < count; ++j)
+      for (std::size_t j = 1; j < offsets_.size(); ++j)
         offsets_.set (
-            1 + j,
-            (position (found.places[begin + j]) - position (place)).cast<double>());
+            j,
+            (position (found.places[begin + j - 1]) - position (place)).cast<double>());
       constexpr double PRECISION = 2e-7;
-      windows[i] =
-          fitPlane (offsets_, PRECISION * position (place).cwiseAbs().maxCoeff());
-      if (growth == 0 && end != begin)
+      const double rounding = PRECISION * position (place).cwiseAbs().maxCoeff();
+      Scatter all;
+      std::size_t added = 0;
+      for (int growth = narrowest; growth <= widest; ++growth) {
+        const std::size_t size = sizeOf (growth);
+        all.add (offsets_, added, size, [] (std::size_t) { return 1.0; });
+        added = size;
+        windows_[growth][place - group] = fitPlane (offsets_, size, all, rounding);
+      }
+      if (narrowest == 0 && end != begin)
         fits_.reach[place] =
             found.squared_distances[std::min (begin + PlaneFits::NEAREST, end) - 1];
     }
@@ -315,17 +335,18 @@ private:
    * samples, unless there are two sheets.
    */
   bool
-  shareWindow (int growth, std::size_t begin, std::size_t end, PlaneFit* windows)
+  shareWindow (int growth, std::size_t group, std::size_t begin, std::size_t end)
   {
     const std::size_t middle = begin + (end - begin) / 2;
-    PlaneFit shared;
     fitEach (growth,
-             searches_[growth]->searchPoint (static_cast<std::int32_t> (middle)),
-             &shared);
+             growth,
+             group,
+             searches_[growth]->searchPoint (static_cast<std::int32_t> (middle)));
+    const PlaneFit shared = windows_[growth][middle - group];
     if (shared.middle != 0.0)
       return false;
     for (std::size_t place = begin; place < end; ++place) {
-      PlaneFit& window = windows[place - begin];
+      PlaneFit& window = windows_[growth][place - group];
       window = shared;
       window.height -= shared.normal.dot (position (place) - position (middle));
     }
@@ -356,6 +377,8 @@ private:
   /** of each growth the lower quartile over the group */
   std::array<double, GROWTHS> roughness_{};
   std::array<double, GROWTHS> sigma_{};
+  /** whether windows of the last group did */
+  bool grew_ = false;
   Coordinates offsets_;
 };
 
