@@ -177,6 +177,19 @@ public:
     return eigenvector (m, square, 2);
   }
 
+  /** \brief The direction in which products, as of a scatter or the sum of several,
+   * are the least.
+   *
+   * \param[in] products symmetric, none of its eigenvalues negative
+   * \param[out] squares its eigenvalues, ascending
+   */
+  static Eigen::Vector3d
+  shortestAxis (const Eigen::Matrix3d& products, Eigen::Vector3d& squares)
+  {
+    squares = Invariants (products).roots();
+    return eigenvector (products, squares[0], 0);
+  }
+
   /** \brief Fits the plane, its normal on the side of the one that it has; returns
    * whether there is one.
    */

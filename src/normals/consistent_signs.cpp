@@ -194,12 +194,15 @@ public:
       tests.push_back ({static_cast<index_t> (root), size});
     }
     std::vector<float> found (tested.size());
-    forEachBlock (tested.size(),
-                  workers_,
-                  [&] (std::size_t, std::size_t first, std::size_t last) {
-                    for (; first < last; ++first)
-                      found[first] = voteForRoot (tested[first], clusters);
-                  });
+    constexpr std::size_t TESTS_OF_BLOCK = 32;
+    forEachBlock (
+        tested.size(),
+        workers_,
+        [&] (std::size_t, std::size_t first, std::size_t last) {
+          for (; first < last; ++first)
+            found[first] = voteForRoot (tested[first], clusters);
+        },
+        TESTS_OF_BLOCK);
     for (std::size_t i = 0; i < tests.size(); ++i)
       summarize (found, i == 0 ? 0 : ends[i - 1], ends[i], tests[i]);
     return tests;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals/plane_fits.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "base/parallel.h"
 #include "base/quantile.h"
 #include "base/scatter.h"
@@ -37,13 +35,9 @@ struct Axes {
   Eigen::Vector3d variances;
   Eigen::Vector3d normal;
 
-  explicit Axes (const Eigen::Matrix3d& scatter)
-  {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect (scatter);
-    variances = solver.eigenvalues().cwiseMax (0.0);
-    normal = solver.eigenvectors().col (0);
-  }
+  explicit Axes (const Eigen::Matrix3d& covariance)
+  : normal (Scatter::shortestAxis (covariance, variances))
+  {}
 
   /** \brief Whether they are wider than rounding makes a line.
    * \param[in] rounding of the coordinates

@@ -60,10 +60,9 @@ RayParity::RayParity (const PlaneFits& fits) : fits_ (fits)
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       Boxes& group = level[i / CHILDREN];
       for (int axis = 0; axis < 3; ++axis) {
-        group.low[axis][group.count] = boxes[i].min()[axis];
-        group.high[axis][group.count] = boxes[i].max()[axis];
+        group.low[axis][i % CHILDREN] = boxes[i].min()[axis];
+        group.high[axis][i % CHILDREN] = boxes[i].max()[axis];
       }
-      ++group.count;
       around[i / CHILDREN].extend (boxes[i]);
     }
     levels_.push_back (std::move (level));
@@ -79,7 +78,7 @@ RayParity::meet (const Ray& ray, const Discs& discs, std::vector<Hit>& hits)
   const float dx = ray.direction.x();
   const float dy = ray.direction.y();
   const float dz = ray.direction.z();
-  float cosines[CHILDREN];
+  // Along the ray, where it is nearest to the centers, and how far off it is there.
   float distances[CHILDREN];
   float offsets[CHILDREN];
 #pragma omp simd
@@ -87,29 +86,33 @@ RayParity::meet (const Ray& ray, const Discs& discs, std::vector<Hit>& hits)
     const float x = discs.center[0][i] - ray.from.x();
     const float y = discs.center[1][i] - ray.from.y();
     const float z = discs.center[2][i] - ray.from.z();
-    const float* const nx = discs.normal[0];
-    const float* const ny = discs.normal[1];
-    const float* const nz = discs.normal[2];
-    const float cosine = std::abs (nx[i] * dx + ny[i] * dy + nz[i] * dz);
-    const float to_plane =
-        (nx[i] * x + ny[i] * y + nz[i] * z) / (nx[i] * dx + ny[i] * dy + nz[i] * dz);
-    const float to_foot = x * dx + y * dy + z * dz;
-    const float distance = cosine < ALONG ? to_foot : to_plane;
+    const float distance = x * dx + y * dy + z * dz;
     const float off_x = distance * dx - x;
     const float off_y = distance * dy - y;
     const float off_z = distance * dz - z;
-    cosines[i] = cosine;
     distances[i] = distance;
     offsets[i] = off_x * off_x + off_y * off_y + off_z * off_z;
   }
   bool runs_along_none = true;
-  for (std::size_t i = 0; i < CHILDREN; ++i)
-    if (distances[i] > 0.0F && offsets[i] < discs.squared_radius[i]) {
-      if (cosines[i] < ALONG)
+  for (std::size_t i = 0; i < CHILDREN; ++i) {
+    if (!(offsets[i] < discs.squared_radius[i]))
+      continue;
+    const Eigen::Vector3f normal (
+        discs.normal[0][i], discs.normal[1][i], discs.normal[2][i]);
+    const float cosine = normal.dot (ray.direction);
+    if (std::abs (cosine) < ALONG) {
+      if (distances[i] > 0.0F)
         runs_along_none = false;
-      else
-        hits.push_back ({distances[i], cosines[i]});
+      continue;
     }
+    const Eigen::Vector3f arm =
+        Eigen::Vector3f (discs.center[0][i], discs.center[1][i], discs.center[2][i]) -
+        ray.from;
+    const float distance = normal.dot (arm) / cosine;
+    if (distance > 0.0F &&
+        (distance * ray.direction - arm).squaredNorm() < discs.squared_radius[i])
+      hits.push_back ({distance, std::abs (cosine)});
+  }
   return runs_along_none;
 }
 
@@ -135,7 +138,7 @@ RayParity::meet (const Ray& ray, const Boxes& boxes)
     }
   }
   unsigned met = 0;
-  for (int i = 0; i < boxes.count; ++i)
+  for (std::size_t i = 0; i < CHILDREN; ++i)
     met |= in[i] <= out[i] ? 1U << i : 0U;
   return met;
 }

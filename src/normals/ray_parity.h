@@ -35,10 +35,9 @@ private:
   };
 
   /** \brief Their boxes, or those of such boxes. */
-  struct Boxes {
+  struct alignas (64) Boxes {
     float low[3][CHILDREN] = {};
     float high[3][CHILDREN] = {};
-    int count = 0;
   };
 
   /** \brief Where a ray meets a disc, and the cosine between them. */
