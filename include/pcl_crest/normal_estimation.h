@@ -32,6 +32,9 @@ struct NormalHints {
    * room; and where samples are not spaced as an image of a sensor there, it is a guess
    */
   bool viewpoint_assumed = false;
+  /** where a sensor may have been that nobody told of, in the unit of the cloud: the
+   * origin that its coordinates had before an offset was taken off them */
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
   /** whether the cloud has rows and columns: then all was seen from the viewpoint, and
    * nothing from behind, unless it is assumed and samples are the grid of a map */
   bool organized = false;

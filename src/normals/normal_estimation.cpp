@@ -57,24 +57,21 @@ lookToViewpoint (const PointTree& tree,
 /** \brief The hints with what the spacing of the samples tells of a viewpoint that
  * nobody set: it stays assumed where that tells nothing.
  *
- * \param[in] origin of the cloud, in the unit of the fits
+ * \param[in] hints in the unit of the fits
  */
 NormalHints
-weighViewpoint (const PlaneFits& fits,
-                const NormalHints& hints,
-                const Eigen::Vector3f& origin,
-                const Workers& workers)
+weighViewpoint (const PlaneFits& fits, const NormalHints& hints, const Workers& workers)
 {
   NormalHints weighed = hints;
   if (hints.viewpoint && !hints.viewpoint_assumed)
     return weighed;
   weighed.organized = hints.viewpoint && hints.organized
                           ? !areGridOfMap (fits, workers)
-                          : areSpacedAsSeenFrom (fits, origin, workers) &&
-                                isSeenFrom (fits, origin, workers);
+                          : areSpacedAsSeenFrom (fits, hints.origin, workers) &&
+                                isSeenFrom (fits, hints.origin, workers);
   weighed.viewpoint_assumed = !weighed.organized;
   if (weighed.organized)
-    weighed.viewpoint = origin;
+    weighed.viewpoint = hints.origin;
   else if (hints.viewpoint && (hints.up || areSpacedAsOnMap (fits, workers)))
     weighed.viewpoint.reset();
   return weighed;
@@ -230,6 +227,8 @@ checkHints (const NormalHints& hints)
     throw std::invalid_argument (
         "The viewpoint, or the sensor origin of the cloud, is not finite: set one that "
         "is");
+  if (!hints.origin.allFinite())
+    throw std::invalid_argument ("The origin of the hints for normals is not finite");
   if (hints.up && (!hints.up->allFinite() || hints.up->isZero (0.0F)))
     throw std::invalid_argument (
         "The up direction is zero or not finite: set a direction, as 0 0 1");
@@ -252,10 +251,8 @@ estimateNormals (const NormalRequest& request, const Workers& workers)
   sharpenNormals (*tree, fits, workers);
   beginPart (1);
   const NormalHints hints = hintsFor (request.hints, distinct, tree->unit);
-  const Eigen::Vector3f origin = distinct.fromViewpoint (Eigen::Vector3f::Zero()) /
-                                 static_cast<float> (tree->unit);
-  const SampleNormals samples = orientSamples (
-      *tree, fits, weighViewpoint (fits, hints, origin, workers), workers);
+  const SampleNormals samples =
+      orientSamples (*tree, fits, weighViewpoint (fits, hints, workers), workers);
   return estimateOf (cloud, distinct, *tree, fits, samples);
 }
 

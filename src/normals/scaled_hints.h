@@ -13,10 +13,13 @@ namespace crest {
 inline NormalHints
 hintsFor (const NormalHints& hints, const DistinctPoints& distinct, double unit)
 {
+  const auto scaledPlace = [&] (const Eigen::Vector3f& place) -> Eigen::Vector3f {
+    return distinct.fromViewpoint (place) / static_cast<float> (unit);
+  };
   NormalHints scaled = hints;
   if (hints.viewpoint)
-    scaled.viewpoint =
-        distinct.fromViewpoint (*hints.viewpoint) / static_cast<float> (unit);
+    scaled.viewpoint = scaledPlace (*hints.viewpoint);
+  scaled.origin = scaledPlace (hints.origin);
   return scaled;
 }
 

@@ -75,7 +75,7 @@ haveSameHints (const AnalysisContents& known, const ExtractionRequest& request)
   const NormalHints& a = known.hints;
   const NormalHints& b = request.hints;
   return a.viewpoint == b.viewpoint && a.viewpoint_assumed == b.viewpoint_assumed &&
-         a.organized == b.organized && a.up == b.up;
+         a.origin == b.origin && a.organized == b.organized && a.up == b.up;
 }
 
 void

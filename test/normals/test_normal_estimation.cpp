@@ -379,6 +379,18 @@ TEST (NormalEstimation, ADepthImageTellsWhereItWasTaken)
   const NormalEstimate seen = estimateNormals (request);
   EXPECT_TRUE (seen.single_view);
   EXPECT_EQ (score (cloud, seen).wrong, 0.0);
+  // Less an offset it was taken from where the origin had been.
+  const Eigen::Vector3f offset (0.0F, 0.0F, 2.0F);
+  Cloud moved = cloud;
+  for (pcl::PointNormal& point : moved)
+    point.getVector3fMap() -= offset;
+  NormalRequest of_moved = requestFor (moved);
+  EXPECT_FALSE (estimateNormals (of_moved).single_view);
+  of_moved.hints.origin = -offset;
+  EXPECT_TRUE (estimateNormals (of_moved).single_view);
+  EXPECT_EQ (score (moved, estimateNormals (of_moved)).wrong, 0.0);
+  of_moved.hints.origin.x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW (estimateNormals (of_moved), std::invalid_argument);
 
   // Terrain above the origin of its map is no image.
   Cloud terrain = *solid ("terrain").cloud;
