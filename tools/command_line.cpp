@@ -78,7 +78,7 @@ optionsOf (const InputCloud& cloud)
     text += " -columns " + boost::join (options.columns, ",");
   if (cloud.normals != NormalSource::ESTIMATED)
     return text;
-  const auto place = [] (const Eigen::Vector3f& p) {
+  const auto place = [] (const auto& p) {
     return shortest (p.x()) + "," + shortest (p.y()) + "," + shortest (p.z());
   };
   text += " -estimate_normals";

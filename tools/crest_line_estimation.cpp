@@ -170,18 +170,23 @@ run (const Files& files, const Parameters& parameters, bool quiet)
       std::cout << "Wrote " << file << "\n";
     return done;
   };
-  if (!written (writeLabels (files.output, *cloud.points, labels, curvatures, error),
-                files.output))
+  if (!written (
+          writeLabels (
+              files.output, *cloud.points, labels, curvatures, error, cloud.placement),
+          files.output))
     return fail (PROGRAM, EXIT_FILE, error);
   if (!files.lines.empty() && !written (writeLines (files.lines,
                                                     *estimation.getLineCloud(),
                                                     estimation.getLines(),
-                                                    error),
+                                                    error,
+                                                    cloud.placement),
                                         files.lines))
     return fail (PROGRAM, EXIT_FILE, error);
   if (!files.curvatures.empty() &&
-      !written (writeCurvatures (files.curvatures, *cloud.points, curvatures, error),
-                files.curvatures))
+      !written (
+          writeCurvatures (
+              files.curvatures, *cloud.points, curvatures, error, cloud.placement),
+          files.curvatures))
     return fail (PROGRAM, EXIT_FILE, error);
   watch.stageDone ("writing");
   if (!files.statistics.empty() &&

@@ -27,8 +27,10 @@ setInput (const InputCloud& cloud,
   estimation.setInputCloud (cloud.points);
   if (cloud.estimate)
     estimation.setSignTrust ({cloud.estimate, &cloud.estimate->trust});
-  if (const auto& viewpoint = cloud.options.normals.viewpoint)
-    estimation.setViewPoint (viewpoint->x(), viewpoint->y(), viewpoint->z());
+  if (const auto& viewpoint = cloud.options.normals.viewpoint) {
+    const Eigen::Vector3f place = cloud.placement.toCloud (*viewpoint);
+    estimation.setViewPoint (place.x(), place.y(), place.z());
+  }
   if (const auto& up = cloud.options.normals.up)
     estimation.setUpDirection (up->x(), up->y(), up->z());
 }

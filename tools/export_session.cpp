@@ -41,9 +41,17 @@ exportSession (const CrestSession& session,
       "pcl_crest_line_estimation " + quoted (input) + " " + quoted (labels_file) +
       " -lines " + quoted (lines_file) + " -stats " + quoted (statistics_file) +
       optionsOf (cloud) + optionsOf (session.getParameters()) + "\n";
-  return writeLabels (
-             labels_file, *cloud.points, labels, session.getCurvatures(), error) &&
-         writeLines (lines_file, session.getLineCloud(), session.getLines(), error) &&
+  return writeLabels (labels_file,
+                      *cloud.points,
+                      labels,
+                      session.getCurvatures(),
+                      error,
+                      cloud.placement) &&
+         writeLines (lines_file,
+                     session.getLineCloud(),
+                     session.getLines(),
+                     error,
+                     cloud.placement) &&
          writeStatistics (statistics_file,
                           cloud,
                           labels,

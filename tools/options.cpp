@@ -36,7 +36,7 @@ withDefault (const std::string& help, const T& value)
 
 /** \brief Takes "X,Y,Z"; returns what would be right, if it is not. */
 std::string
-takePlace (const std::string& text, Eigen::Vector3f& place)
+takePlace (const std::string& text, Eigen::Vector3d& place)
 {
   std::vector<std::string> words;
   boost::split (words, text, boost::is_any_of (","));
@@ -44,10 +44,8 @@ takePlace (const std::string& text, Eigen::Vector3f& place)
   if (words.size() != 3)
     return wanted;
   for (int i = 0; i < 3; ++i) {
-    double number = 0.0;
-    if (!takeNumber (words[static_cast<std::size_t> (i)], number).empty())
+    if (!takeNumber (words[static_cast<std::size_t> (i)], place[i]).empty())
       return wanted;
-    place[i] = static_cast<float> (number);
   }
   return place.allFinite() ? std::string() : wanted;
 }
@@ -183,15 +181,16 @@ addReadingOptions (Options& options, ReadOptions& reading)
   };
   NormalOptions& normals = reading.normals;
   const auto takeDirection = [&normals] (const std::string& text) {
-    Eigen::Vector3f taken;
-    const std::string wanted = takePlace (text, taken);
-    if (!wanted.empty() || taken.isZero (0.0F))
+    Eigen::Vector3d taken = Eigen::Vector3d::Zero();
+    const bool is_place = takePlace (text, taken).empty();
+    const Eigen::Vector3f up = taken.cast<float>();
+    if (!is_place || !up.allFinite() || up.isZero (0.0F))
       return std::string ("three numbers X,Y,Z that are not all 0");
-    normals.up = taken;
+    normals.up = up;
     return std::string();
   };
   const auto takeViewpoint = [&normals] (const std::string& text) {
-    Eigen::Vector3f taken;
+    Eigen::Vector3d taken;
     std::string wanted = takePlace (text, taken);
     if (wanted.empty())
       normals.viewpoint = taken;
@@ -211,10 +210,10 @@ addReadingOptions (Options& options, ReadOptions& reading)
       "estimate normals, even if the file has some or faces") (
       "-viewpoint",
       value ("X,Y,Z", takeViewpoint),
-      "where estimated normals look to on open surfaces, in the unit\nof the file") (
-      "-up",
-      value ("X,Y,Z", takeDirection),
-      "where they look to if nothing else tells (default 0,0,1)");
+      "where estimated normals look to on open surfaces, in the\ncoordinates of the "
+      "file") ("-up",
+               value ("X,Y,Z", takeDirection),
+               "where they look to if nothing else tells (default 0,0,1)");
 }
 
 void

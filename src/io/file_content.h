@@ -2,11 +2,9 @@
 // What the readers of the file formats have in common.
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include <Eigen/Geometry>
 
-#include <Eigen/Core>
-
+#include "io/file_points.h"
 #include "io/text_scanner.h"
 #include "normals/face_normals.h"
 
@@ -18,35 +16,23 @@
 namespace pcl {
 namespace crest {
 
-/** \brief What a file holds, before its normals are seen to. */
+/** \brief What a file holds, before its points are placed and its normals seen to. */
 struct FileContent {
-  FileContent() : points (new pcl::PointCloud<pcl::PointNormal>) {}
-
   /** normals are zero where the file has none */
-  pcl::PointCloud<pcl::PointNormal>::Ptr points;
+  FilePoints points;
   bool has_normals = false;
+  /** whether the file has the positions as floats, so that more digits are lost */
+  bool has_floats = false;
   std::vector<std::array<unsigned char, 3>> colors;
   Faces faces;
+  /** of points that are organized, how many rows they have */
+  std::size_t rows = 1;
   /** where the scanner stood, in formats that tell */
-  std::optional<Eigen::Vector3f> viewpoint;
+  std::optional<Eigen::Vector3d> viewpoint;
+  /** how it stood there, in formats that tell */
+  std::optional<Eigen::Quaternionf> orientation;
   std::vector<std::string> notes;
 };
-
-/** \brief A point of the numbers of a file: three, or six with normals. */
-inline pcl::PointNormal
-makePoint (const double* values, bool with_normal)
-{
-  pcl::PointNormal point;
-  point.x = static_cast<float> (values[0]);
-  point.y = static_cast<float> (values[1]);
-  point.z = static_cast<float> (values[2]);
-  if (with_normal) {
-    point.normal_x = static_cast<float> (values[3]);
-    point.normal_y = static_cast<float> (values[4]);
-    point.normal_z = static_cast<float> (values[5]);
-  }
-  return point;
-}
 
 /** \brief Throws if there are more points than an index_t tells apart: to be called
  * before room is made for as many, and before their places become indices.

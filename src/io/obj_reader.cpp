@@ -24,11 +24,11 @@ public:
       if (!scanner_.words().empty())
         readLine();
     }
-    const std::size_t size = content_.points->size();
+    const std::size_t size = content_.points.size();
     checkFaces (content_);
     if (!normals_.empty() && normals_.size() == size && normals_match_) {
       for (std::size_t i = 0; i < size; ++i)
-        (*content_.points)[i].getNormalVector3fMap() = normals_[i];
+        content_.points.setNormal (i, normals_[i]);
       content_.has_normals = true;
     }
     else if (!normals_.empty())
@@ -46,8 +46,8 @@ private:
     if (keyword == "v") {
       double values[3];
       readCoordinates (values);
-      content_.points->push_back (makePoint (values, false));
-      checkPointCount (content_.points->size());
+      content_.points.add (values, false);
+      checkPointCount (content_.points.size());
     }
     else if (keyword == "vn") {
       double values[3];
@@ -83,8 +83,7 @@ private:
     for (std::size_t i = 1; i < scanner_.words().size(); ++i) {
       const std::string_view word = scanner_.words()[i];
       const std::size_t first = word.find ('/');
-      const index_t vertex =
-          readIndex (word.substr (0, first), content_.points->size());
+      const index_t vertex = readIndex (word.substr (0, first), content_.points.size());
       content_.faces.corners.push_back (vertex);
       if (first == std::string_view::npos)
         continue;

@@ -70,7 +70,7 @@ readOff (const std::string& text)
     double values[6];
     for (std::size_t j = 0; j < numbers; ++j)
       values[j] = scanner.number<double> (scanner.words()[j], "a coordinate");
-    content.points->push_back (makePoint (values, content.has_normals));
+    content.points.add (values, content.has_normals);
   }
   for (std::int64_t i = 0; i < faces; ++i) {
     lineOf ("faces", i, faces);

@@ -27,7 +27,7 @@ struct PcdHeader {
   std::size_t height = 1;
   std::size_t points = 0;
   /** x y z, and the quaternion w x y z */
-  std::array<float, 7> viewpoint{0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F};
+  std::array<double, 7> viewpoint{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   std::string coding;
 
   std::uint64_t
@@ -124,8 +124,7 @@ readHeader (TextScanner& scanner)
       if (words.size() != 8)
         scanner.fail ("expected a viewpoint of 7 numbers");
       for (std::size_t i = 1; i < words.size(); ++i)
-        header.viewpoint[i - 1] =
-            static_cast<float> (scanner.number<double> (words[i], "a number"));
+        header.viewpoint[i - 1] = scanner.number<double> (words[i], "a number");
     }
     else if (words[0] == "DATA" && words.size() == 2)
       header.coding = words[1];
@@ -218,7 +217,7 @@ public:
   void
   makeRoom ()
   {
-    content_.points->reserve (header_.points);
+    content_.points.reserve (header_.points);
     if (color_)
       content_.colors.reserve (header_.points);
   }
@@ -256,6 +255,7 @@ public:
   add (const char* data, bool by_field)
   {
     const std::uint64_t step = header_.pointSize();
+    content_.has_floats = fields_[0]->type == NumberType::FLOAT32;
     // Of the field at an offset, that of the point i.
     const auto at = [&] (const KeptField& field, std::size_t i) {
       return by_field ? data + field.offset * header_.points + i * field.size
@@ -273,11 +273,9 @@ public:
   take ()
   {
     const auto& v = header_.viewpoint;
-    content_.points->width = static_cast<std::uint32_t> (header_.width);
-    content_.points->height = static_cast<std::uint32_t> (header_.height);
-    content_.viewpoint = Eigen::Vector3f (v[0], v[1], v[2]);
-    content_.points->sensor_origin_ = Eigen::Vector4f (v[0], v[1], v[2], 0.0F);
-    content_.points->sensor_orientation_ = Eigen::Quaternionf (v[3], v[4], v[5], v[6]);
+    content_.rows = header_.height;
+    content_.viewpoint = Eigen::Vector3d (v[0], v[1], v[2]);
+    content_.orientation = Eigen::Quaterniond (v[3], v[4], v[5], v[6]).cast<float>();
     return std::move (content_);
   }
 
@@ -285,7 +283,7 @@ private:
   void
   add (const std::array<double, 6>& values, std::uint32_t color)
   {
-    content_.points->push_back (makePoint (values.data(), content_.has_normals));
+    content_.points.add (values.data(), content_.has_normals);
     if (color_)
       content_.colors.push_back ({static_cast<unsigned char> (color >> 16U),
                                   static_cast<unsigned char> (color >> 8U),

@@ -171,12 +171,15 @@ private:
         continue;
       const bool is_color = field >= PointField::RED;
       found[placeOf (field)] = !is_color || property.type == NumberType::UINT8;
+      if (field == PointField::X)
+        content_.has_floats = !text_ && property.type == NumberType::FLOAT32;
       place[i] = placeOf (field);
     }
     if (!found[0] || !found[1] || !found[2])
       throw ReadError ("its vertices need the properties x, y and z");
     content_.has_normals = found[3] && found[4] && found[5];
     const bool has_colors = found[6] && found[7] && found[8];
+    content_.points.reserve (content_.points.size() + element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       double values[KEPT_FIELDS] = {};
       for (std::size_t j = 0; j < place.size(); ++j) {
@@ -188,7 +191,7 @@ private:
             values[place[j]] = value;
         }
       }
-      content_.points->push_back (makePoint (values, content_.has_normals));
+      content_.points.add (values, content_.has_normals);
       if (has_colors)
         content_.colors.push_back (
             {colorOf (values[6]), colorOf (values[7]), colorOf (values[8])});

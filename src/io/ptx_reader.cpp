@@ -28,16 +28,15 @@ public:
       readScan();
     if (missing_ != 0)
       content_.notes.push_back (
-          std::to_string (missing_) + " of " +
-          std::to_string (content_.points->size()) +
+          std::to_string (missing_) + " of " + std::to_string (content_.points.size()) +
           " beams of the scanner did not come back (0 0 0): their "
           "points are not finite.");
     // What was not registered has its scanner at 0 0 0, as has what forgot it. Several
     // scans have no viewpoint in common.
     if (positions_.size() == 1 && !positions_[0].isZero (0.0))
-      content_.viewpoint = positions_[0].cast<float>();
+      content_.viewpoint = positions_[0];
     // Some scans with colors and some without have none.
-    if (content_.colors.size() != content_.points->size())
+    if (content_.colors.size() != content_.points.size())
       content_.colors.clear();
     return std::move (content_);
   }
@@ -59,12 +58,12 @@ private:
     checkPointCount (columns);
     checkPointCount (rows);
     const std::size_t points = columns * rows;
-    checkPointCount (content_.points->size() + points);
+    checkPointCount (content_.points.size() + points);
     constexpr std::size_t SHORTEST_ROW = 8; // "0 0 0 0" and the end of the line
     if (points > (scanner_.remaining() + 1) / SHORTEST_ROW)
       scanner_.fail ("the scan should have " + std::to_string (points) +
                      " points, but the file is too short for them");
-    content_.points->reserve (content_.points->size() + points);
+    content_.points.reserve (content_.points.size() + points);
     for (std::size_t i = 0; i < points; ++i) {
       if (!scanner_.nextLine())
         scanner_.fail ("the file ends after " + std::to_string (i) + " of " +
@@ -90,7 +89,7 @@ private:
     }
     else
       position = (position * matrix).eval();
-    content_.points->push_back (makePoint (position.data(), false));
+    content_.points.add (position.data(), false);
     if (width == 7) {
       std::array<unsigned char, 3> color{};
       for (std::size_t i = 0; i < 3; ++i) {

@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 
 #include "base/stopwatch.h"
+#include "io/placement.h"
 #include "io/read_content.h"
 #include "normals/face_winding.h"
 
@@ -102,7 +103,7 @@ setNormals (const std::vector<Eigen::Vector3f>& normals,
 
 /** \brief Makes faces run around the same way, and notes where they did not. */
 void
-unifyFaces (FileContent& content)
+unifyFaces (PlacedContent& content)
 {
   const FaceWinding winding = unifyWinding (viewOf (*content.points), content.faces);
   if (winding.turned != 0)
@@ -119,7 +120,7 @@ unifyFaces (FileContent& content)
 
 /** \brief Takes the normals from the best source that there is. */
 NormalSource
-provideNormals (FileContent& content,
+provideNormals (PlacedContent& content,
                 int k,
                 unsigned threads,
                 const NormalOptions& options,
@@ -154,9 +155,12 @@ provideNormals (FileContent& content,
   NormalRequest request;
   request.cloud = viewOf (*content.points);
   request.k = k;
-  request.hints.viewpoint = options.viewpoint ? options.viewpoint : content.viewpoint;
+  const Placement& placement = content.placement;
+  if (const auto& place = options.viewpoint ? options.viewpoint : content.viewpoint)
+    request.hints.viewpoint = placement.toCloud (*place);
   request.hints.viewpoint_assumed =
-      !options.viewpoint && content.viewpoint && content.viewpoint->isZero (0.0F);
+      !options.viewpoint && content.viewpoint && content.viewpoint->isZero (0.0);
+  request.hints.origin = placement.toCloud (Eigen::Vector3d::Zero());
   request.hints.organized = content.points->height > 1;
   request.hints.up = options.up;
   request.gathers = true;
@@ -181,35 +185,6 @@ provideNormals (FileContent& content,
   return NormalSource::ESTIMATED;
 }
 
-void
-notePositions (FileContent& content)
-{
-  const auto is_finite = [] (const pcl::PointNormal& p) {
-    return pcl::isXYZFinite (p);
-  };
-  const auto not_finite =
-      content.points->size() -
-      static_cast<std::size_t> (
-          std::count_if (content.points->begin(), content.points->end(), is_finite));
-  if (not_finite != 0)
-    content.notes.push_back (std::to_string (not_finite) + " of " +
-                             std::to_string (content.points->size()) +
-                             " points are not finite.");
-  Eigen::AlignedBox3f box;
-  for (const pcl::PointNormal& point : *content.points)
-    if (is_finite (point))
-      box.extend (point.getVector3fMap());
-  // Floats are 1e-7 of their value apart: 1e-4 of the cloud's extent from here on,
-  // which a fit to neighbours, some 1e-2 of it apart, begins to feel.
-  constexpr float FAR = 1e3F;
-  if (!box.isEmpty() && box.sizes().maxCoeff() > 0.0F &&
-      box.min().cwiseAbs().cwiseMax (box.max().cwiseAbs()).maxCoeff() >
-          FAR * box.sizes().maxCoeff())
-    content.notes.push_back (
-        "The cloud is so far from the origin that single precision "
-        "blurs its shape: subtract an offset before writing it.");
-}
-
 } // namespace
 
 bool
@@ -231,9 +206,8 @@ readCloud (const std::string& file,
                        ", but normals need at least 3 neighbours");
     std::vector<StageTime> times;
     Stopwatch watch (times);
-    FileContent content = readContent (file, options);
+    PlacedContent content = placeContent (readContent (file, options));
     watch.stageDone ("reading");
-    notePositions (content);
     if (normals.always_estimate) {
       content.has_normals = false;
       content.faces.ends.clear();
@@ -255,6 +229,7 @@ readCloud (const std::string& file,
                      });
     watch.stageDone ("normals");
     cloud = {content.points,
+             std::move (content.placement),
              source,
              options,
              std::move (estimate),
@@ -304,7 +279,7 @@ checkPointCount (std::size_t points)
 void
 checkFaces (const FileContent& content)
 {
-  const std::size_t size = content.points->size();
+  const std::size_t size = content.points.size();
   for (const index_t corner : content.faces.corners)
     if (corner < 0 || static_cast<std::size_t> (corner) >= size)
       throw ReadError ("a face has the corner " + std::to_string (corner) +

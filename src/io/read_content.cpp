@@ -115,9 +115,9 @@ readContent (const std::string& file, const ReadOptions& options)
     throw ReadError ("it is no text whose columns -columns could tell: " +
                      std::string (format->name) + " files name them");
   FileContent content = format->read ({text, options});
-  if (content.points->empty())
+  if (content.points.size() == 0)
     throw ReadError ("it has no points");
-  checkPointCount (content.points->size());
+  checkPointCount (content.points.size());
   return content;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 namespace pcl {
@@ -17,26 +18,42 @@ constexpr std::size_t TRIANGLE_SIZE = 50;
 
 struct CornerHash {
   std::size_t
-  operator() (const std::array<float, 3>& corner) const
+  operator() (const std::array<double, 3>& corner) const
   {
     std::size_t hash = 0;
-    for (const float x : corner)
-      hash = hash * 1000003 + std::hash<float>() (x);
+    for (const double x : corner)
+      hash = hash * 1000003 + std::hash<double>() (x);
     return hash;
   }
 };
+
+/** \brief The number in 37 of its 53 bits, by Veltkamp's splitting: corners that were
+ * computed for each triangle anew are still equal in these, and all floats are the
+ * same.
+ */
+double
+withoutLastBits (double x)
+{
+  constexpr double SPLITTER = 65537.0;
+  const double product = SPLITTER * x;
+  const double rounded = product - (product - x);
+  return std::isfinite (rounded) ? rounded : x;
+}
 
 /** \brief Collects triangles; points are in the order of their first corner. */
 class CornerMerger {
 public:
   void
-  add (float x, float y, float z)
+  add (const std::array<double, 3>& corner)
   {
-    const auto [place, is_new] = index_of_.emplace (
-        std::array<float, 3>{x, y, z}, static_cast<index_t> (content.points->size()));
+    const auto [place, is_new] =
+        index_of_.emplace (std::array<double, 3>{withoutLastBits (corner[0]),
+                                                 withoutLastBits (corner[1]),
+                                                 withoutLastBits (corner[2])},
+                           static_cast<index_t> (content.points.size()));
     if (is_new) {
-      content.points->push_back (pcl::PointNormal (x, y, z));
-      checkPointCount (content.points->size());
+      content.points.add (corner.data(), false);
+      checkPointCount (content.points.size());
     }
     content.faces.corners.push_back (place->second);
   }
@@ -44,7 +61,7 @@ public:
   FileContent content;
 
 private:
-  std::unordered_map<std::array<float, 3>, index_t, CornerHash> index_of_;
+  std::unordered_map<std::array<double, 3>, index_t, CornerHash> index_of_;
 };
 
 FileContent
@@ -72,11 +89,10 @@ readText (const std::string& text)
     expect ("loop");
     for (int corner = 0; corner < 3; ++corner) {
       expect ("vertex");
-      double values[3];
+      std::array<double, 3> values{};
       for (double& value : values)
         value = scanner.number<double> (scanner.nextWord(), "a coordinate");
-      const pcl::PointNormal point = makePoint (values, false);
-      merger.add (point.x, point.y, point.z);
+      merger.add (values);
     }
     merger.content.faces.close();
     expect ("endloop");
@@ -113,12 +129,13 @@ readStl (const std::string& text)
                      std::to_string (binary_size) + " bytes, but this one has " +
                      std::to_string (text.size()));
   CornerMerger merger;
+  merger.content.has_floats = true;
   for (std::size_t i = 0; i < triangles; ++i) {
     const char* corner = text.data() + HEADER_SIZE + i * TRIANGLE_SIZE + 12;
     for (int j = 0; j < 3; ++j, corner += 12)
-      merger.add (decodeAs<float> (corner, false),
-                  decodeAs<float> (corner + 4, false),
-                  decodeAs<float> (corner + 8, false));
+      merger.add ({decodeAs<float> (corner, false),
+                   decodeAs<float> (corner + 4, false),
+                   decodeAs<float> (corner + 8, false)});
     merger.content.faces.close();
   }
   return std::move (merger.content);

@@ -50,15 +50,11 @@ public:
     for (std::string_view word = scanner_.nextWord(); !word.empty();
          word = scanner_.nextWord())
       readSection (word);
-    if (content_.has_normals) {
-      if (normals_.size() != 3 * content_.points->size())
-        throw ReadError ("it has " + std::to_string (normals_.size() / 3) +
-                         " normals for " + std::to_string (content_.points->size()) +
-                         " points");
-      for (std::size_t i = 0; i < content_.points->size(); ++i)
-        (*content_.points)[i].getNormalVector3fMap() =
-            Eigen::Map<const Eigen::Vector3d> (&normals_[3 * i]).cast<float>();
-    }
+    if (content_.has_normals && normals_.size() != content_.points.size())
+      throw ReadError ("it has " + std::to_string (normals_.size()) + " normals for " +
+                       std::to_string (content_.points.size()) + " points");
+    for (std::size_t i = 0; i < normals_.size(); ++i)
+      content_.points.setNormal (i, normals_[i]);
     checkFaces (content_);
     return std::move (content_);
   }
@@ -99,11 +95,13 @@ private:
   {
     if (keyword == "POINTS") {
       const std::size_t points = readSize ("points");
-      checkPointCount (content_.points->size() + points);
+      checkPointCount (content_.points.size() + points);
       const std::size_t numbers = product (3, points);
-      const std::vector<double> values = readArray (numbers, readType());
+      const NumberType type = readType();
+      content_.has_floats = binary_ && type == NumberType::FLOAT32;
+      const std::vector<double> values = readArray (numbers, type);
       for (std::size_t i = 0; i < values.size(); i += 3)
-        content_.points->push_back (makePoint (&values[i], false));
+        content_.points.add (&values[i], false);
     }
     else if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS" ||
              keyword == "LINES" || keyword == "VERTICES" || keyword == "CELLS")
@@ -192,9 +190,9 @@ private:
         scanner_.fail ("a face has more corners than the file lists");
       const auto size = static_cast<std::size_t> (exact_size);
       for (std::size_t i = first; i < first + size; ++i)
-        if (!(corners[i] >= 0 && corners[i] < content_.points->size()))
+        if (!(corners[i] >= 0 && corners[i] < content_.points.size()))
           scanner_.fail ("a face has a corner that is not one of the " +
-                         std::to_string (content_.points->size()) + " points");
+                         std::to_string (content_.points.size()) + " points");
       const auto add = [&] (std::size_t i) {
         content_.faces.corners.push_back (static_cast<index_t> (corners[i]));
       };
@@ -237,10 +235,13 @@ private:
   {
     const std::string name (scanner_.nextWord());
     if (keyword == "NORMALS") {
-      std::vector<double> values = readArray (product (3, tuples_), readType());
+      const std::vector<double> values = readArray (product (3, tuples_), readType());
       if (of_points_) {
-        normals_ = std::move (values);
         content_.has_normals = true;
+        normals_.clear();
+        for (std::size_t i = 0; i < values.size(); i += 3)
+          normals_.emplace_back (
+              Eigen::Map<const Eigen::Vector3d> (&values[i]).cast<float>());
       }
     }
     else if (keyword == "VECTORS")
@@ -345,7 +346,7 @@ private:
   std::vector<double> cell_corners_;
   std::size_t tuples_ = 0;
   bool of_points_ = false;
-  std::vector<double> normals_;
+  std::vector<Eigen::Vector3f> normals_;
   FileContent content_;
 };
 

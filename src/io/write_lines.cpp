@@ -3,6 +3,7 @@
 
 #include "io/format_number.h"
 #include "io/output_file.h"
+#include "io/placement.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,9 @@ namespace {
 class LinePoints {
 public:
   LinePoints (const pcl::PointCloud<pcl::PointNormal>& cloud,
-              const std::vector<CrestLine>& lines)
-  : cloud_ (cloud)
+              const std::vector<CrestLine>& lines,
+              const Placement& placement)
+  : cloud_ (cloud), placement_ (placement)
   {
     for (const CrestLine& line : lines)
       for (const std::vector<index_t>& polyline : line.polylines)
@@ -40,23 +42,27 @@ public:
         std::lower_bound (used_.begin(), used_.end(), point) - used_.begin());
   }
 
+  /** \brief The type of the coordinates, as PLY and VTK name it. */
+  const char*
+  type () const
+  {
+    return needsDoubles (placement_) ? "double" : "float";
+  }
+
   /** \brief Appends a line of coordinates for each point. */
   void
   append (std::string& text, const char* prefix) const
   {
     for (const index_t i : used_) {
       text += prefix;
-      appendNumber (text, cloud_[i].x);
-      text += ' ';
-      appendNumber (text, cloud_[i].y);
-      text += ' ';
-      appendNumber (text, cloud_[i].z);
+      appendPlace (text, cloud_[i].getVector3fMap(), placement_);
       text += '\n';
     }
   }
 
 private:
   const pcl::PointCloud<pcl::PointNormal>& cloud_;
+  const Placement& placement_;
   /** ascending */
   std::vector<index_t> used_;
 };
@@ -157,8 +163,9 @@ toPly (const LinePoints& points, const std::vector<CrestLine>& lines)
   std::string text = "ply\nformat ascii 1.0\ncomment type 1 is a ridge, 2 a valley\n"
                      "comment ends: 0 free, 1 junction, 2 boundary, 3 closed\n"
                      "element vertex " +
-                     std::to_string (points.size()) +
-                     "\nproperty float x\nproperty float y\nproperty float z\n"
+                     std::to_string (points.size()) + "\nproperty " + points.type() +
+                     " x\nproperty " + points.type() + " y\nproperty " + points.type() +
+                     " z\n"
                      "element edge " +
                      std::to_string (edge_count) +
                      "\nproperty int vertex1\nproperty int vertex2\n"
@@ -214,7 +221,7 @@ toVtk (const LinePoints& points, const std::vector<CrestLine>& lines)
   std::string text = "# vtk DataFile Version 3.0\n"
                      "crest lines: type 1 is a ridge, 2 a valley\n"
                      "ASCII\nDATASET POLYDATA\nPOINTS " +
-                     std::to_string (points.size()) + " float\n";
+                     std::to_string (points.size()) + " " + points.type() + "\n";
   points.append (text, "");
   text += "LINES " + count + " " + std::to_string (number_count) + "\n" + cells +
           "CELL_DATA " + count + "\nSCALARS type int 1\nLOOKUP_TABLE default\n" +
@@ -242,9 +249,10 @@ bool
 writeLines (const std::string& file,
             const pcl::PointCloud<pcl::PointNormal>& cloud,
             const std::vector<CrestLine>& lines,
-            std::string& error)
+            std::string& error,
+            const Placement& placement)
 {
-  const LinePoints points (cloud, lines);
+  const LinePoints points (cloud, lines, placement);
   const std::string extension = extensionOf (file);
   if (extension == ".obj")
     return replaceFile (file, toObj (points, lines), error);

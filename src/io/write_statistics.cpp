@@ -214,6 +214,9 @@ writeStatistics (
   json["invalid_points"] = countLabel (labels, LABEL_INVALID);
   if (parameters.boundaries)
     json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);
+  json["points_set_apart"] = cloud.placement.apart.size();
+  const Eigen::Vector3d& offset = cloud.placement.offset;
+  json["offset"] = {offset.x(), offset.y(), offset.z()};
   json["normals"] = nameOf (cloud.normals);
   if (cloud.estimate)
     json["orientation"] = describe (*cloud.estimate);

@@ -86,14 +86,14 @@ private:
         1 + std::min<std::size_t> (rows_.remaining() / 6,
                                    std::count (text_.begin(), text_.end(), '\n') +
                                        std::count (text_.begin(), text_.end(), '\r'));
-    content_.points->reserve (most);
+    content_.points.reserve (most);
     std::vector<std::array<float, 3>> colors;
     if (has_colors)
       colors.reserve (most);
     // Of several clouds in one file each has a row that announces its points.
     std::size_t end_of_cloud = announced_.value_or (0);
     do {
-      if (announced_ && content_.points->size() == end_of_cloud) {
+      if (announced_ && content_.points.size() == end_of_cloud) {
         const auto more = announcedPoints (rows_.row());
         if (!more)
           rows_.fail ("expected " + std::to_string (*announced_) +
@@ -103,15 +103,15 @@ private:
         continue;
       }
       readRow();
-      content_.points->push_back (makePoint (values_.data(), content_.has_normals));
+      content_.points.add (values_.data(), content_.has_normals);
       if (has_colors)
         colors.push_back ({static_cast<float> (values_[placeOf (PointField::RED)]),
                            static_cast<float> (values_[placeOf (PointField::GREEN)]),
                            static_cast<float> (values_[placeOf (PointField::BLUE)])});
     }
     while (rows_.next());
-    if (announced_ && content_.points->size() != end_of_cloud)
-      rows_.fail ("the file ends after " + std::to_string (content_.points->size()) +
+    if (announced_ && content_.points.size() != end_of_cloud)
+      rows_.fail ("the file ends after " + std::to_string (content_.points.size()) +
                   " of the " + std::to_string (end_of_cloud) +
                   " points that it announces");
     setColors (colors);

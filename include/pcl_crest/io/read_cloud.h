@@ -11,6 +11,8 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -20,6 +22,68 @@
 namespace pcl {
 namespace crest {
 
+/** \brief Where a cloud of floats lies in the coordinates of a file, which are doubles.
+ *
+ * Coordinates as those of maps have more digits than a float, so that the points of a
+ * cloud are what is left of them when one offset is taken off. Points that are no part
+ * of the surface, because they are far from all others or stand for no data, are set
+ * apart: in the cloud they are not finite, so that they shift nothing and get
+ * LABEL_INVALID.
+ */
+struct Placement {
+  /** \brief A point that was set apart, as it is in the file. */
+  struct PointApart {
+    index_t index;
+    Eigen::Vector3d position;
+  };
+
+  /** what was taken off: whole numbers, near the middle of the cloud; 0 along axes
+   * where floats tell the points apart as well without */
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  /** ascending by their indices */
+  std::vector<PointApart> apart;
+  /** how many of these have a number that stands for no data */
+  std::size_t no_data = 0;
+
+  /** \brief Where a place of the cloud is in the file. */
+  Eigen::Vector3d
+  toFile (const Eigen::Vector3f& place) const
+  {
+    return place.cast<double>() + offset;
+  }
+
+  /** \brief Where a place of the file is in the cloud. */
+  Eigen::Vector3f
+  toCloud (const Eigen::Vector3d& place) const
+  {
+    return (place - offset).cast<float>();
+  }
+};
+
+/** \brief Sets the positions of a cloud from doubles, as readCloud does.
+ *
+ * Points are set apart that have a number by which programs stand for no data (-9999,
+ * -99999, -32767, -32768, 1e20, or 3.4e38 and more of either sign) along an axis on
+ * which the others are ten times their width away from it; and those that are a
+ * thousand times the width of the cloud away from the bulk of it.
+ *
+ * \code
+ * const crest::Placement placement = crest::placePoints (positions, *cloud);
+ * estimation.setInputCloud (cloud);
+ * estimation.compute (labels);
+ * crest::writeLines ("lines.ply", *estimation.getLineCloud(), estimation.getLines(),
+ *                    error, placement);
+ * \endcode
+ *
+ * \param[in] positions in the order of the points
+ * \param[in,out] points one for each position, which keep all but where they are; a
+ * cloud of another size is resized
+ * \return where the points lie, for the writers
+ */
+PCL_CREST_EXPORT Placement
+placePoints (const std::vector<Eigen::Vector3d>& positions,
+             pcl::PointCloud<pcl::PointNormal>& points);
+
 /** \brief Where the normals of a cloud come from. */
 enum class NormalSource { FILE, FACES, ESTIMATED };
 
@@ -27,9 +91,9 @@ enum class NormalSource { FILE, FACES, ESTIMATED };
 struct NormalOptions {
   /** whether to estimate them even where the file has some, or faces */
   bool always_estimate = false;
-  /** for those that are estimated, in the unit of the file; in the place of the
+  /** for those that are estimated, in the coordinates of the file; in the place of the
    * viewpoint of a PCD file */
-  std::optional<Eigen::Vector3f> viewpoint;
+  std::optional<Eigen::Vector3d> viewpoint;
   /** for those that are estimated (see NormalHints) */
   std::optional<Eigen::Vector3f> up;
 };
@@ -49,6 +113,8 @@ struct ReadOptions {
 struct InputCloud {
   /** one point per point of the file, in its order; is_dense is honest */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
+  /** where they, and sensor_origin_, lie in the coordinates of the file */
+  Placement placement;
   NormalSource normals = NormalSource::FILE;
   /** what it was read with */
   ReadOptions options;
@@ -84,6 +150,10 @@ explainInvalid (const ReadOptions& options);
  * ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points are
  * those of the file in its order; STL files list the corners of triangles, of which
  * equal ones become one point.
+ *
+ * Coordinates are read as doubles. Where floats are too coarse for them, an offset is
+ * taken off, and points that cannot be meant are set apart (see placePoints); the notes
+ * say so, and the writers put all where it was.
  *
  * The columns of text may be parted by blanks, tabs, commas or semicolons, and decimals
  * by commas where that is certain. A line of names tells what the columns are; without

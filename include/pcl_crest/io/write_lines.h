@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_crest/crest_line.h>
+#include <pcl_crest/io/read_cloud.h>
 #include <pcl_crest/types.h>
 
 #include <pcl/point_cloud.h>
@@ -29,16 +30,20 @@ lineExtensions ();
  * - .vtk: legacy polydata with a cell for each polyline, and all of these as data of
  * the cells, the same for all cells of a line but the ends.
  *
+ * Coordinates are floats, but doubles where the placement has an offset.
+ *
  * \param[in] file the path
  * \param[in] cloud what the lines are indices into
  * \param[in] lines as CrestLineEstimation::getLines gives them
  * \param[out] error on failure what is wrong, naming the file
+ * \param[in] placement where the cloud lies in the file's coordinates
  */
 PCL_CREST_EXPORT bool
 writeLines (const std::string& file,
             const pcl::PointCloud<pcl::PointNormal>& cloud,
             const std::vector<CrestLine>& lines,
-            std::string& error);
+            std::string& error,
+            const Placement& placement = {});
 
 } // namespace crest
 } // namespace pcl

@@ -12,12 +12,13 @@ namespace pcl {
 namespace crest {
 
 /** \brief Writes what is to say about a run as JSON: points, invalid points, boundary
- * points where these are labelled, where the normals came from and, if they were
- * estimated, how sure their signs are, mean spacing and
- * extent, the parameters, for each type the number of crest points, of points joined by
- * growth and of lines, their total length, how many lines there were of each size
- * before the small ones were removed, the lines in the order of getLines, and the
- * milliseconds of each stage.
+ * points where these are labelled, the offset that was taken off the coordinates and
+ * how many points were set apart (see Placement), where the normals came from and, if
+ * they were estimated, how sure their signs are, mean spacing and extent, the
+ * parameters, for each type the number of crest points, of points joined by growth and
+ * of lines, their total length, how many lines there were of each size before the small
+ * ones were removed, the lines in the order of getLines, and the milliseconds of each
+ * stage.
  *
  * \param[in] file the path
  * \param[in] cloud the input
