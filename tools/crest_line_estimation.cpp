@@ -115,8 +115,9 @@ report (const std::vector<CrestLine>& lines, const pcl::PointCloud<pcl::Label>& 
     std::cout << "Boundary: " << count (boundary, "point") << "\n";
   const auto invalid = labelled (LABEL_INVALID);
   if (invalid != 0)
-    std::cout << "Invalid:  " << count (invalid, "point")
-              << ", not finite, without a normal or with too few neighbours\n";
+    std::cout
+        << "Invalid:  " << count (invalid, "point")
+        << ", not finite, set apart, without a normal or with too few neighbours\n";
 }
 
 void

@@ -38,6 +38,11 @@ namespace pcl {
  * estimation.compute (labels, lines);
  * \endcode
  *
+ * Points are floats, which have some seven digits: coordinates of maps need an offset
+ * taken off first. crest::placePoints of the component io does so for doubles, sets
+ * points apart that are far from all others, and gives what the writers need to put the
+ * lines where they belong.
+ *
  * As in every Feature: setIndices restricts the points that labels are computed for,
  * not the surface, so that the labels are those of a run on the whole cloud and the
  * lines are all lines of the surface. With setSearchSurface every finite input point

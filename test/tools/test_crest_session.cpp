@@ -284,49 +284,53 @@ TEST (CommandLine, IsReadBackAsItWas)
 
 TEST (Export, IsWhatTheLineToolWrites)
 {
-  const oracle::TemporaryDirectory directory;
-  std::ostringstream text;
-  text.precision (9);
-  const auto points = makeCloud();
-  for (const pcl::PointNormal& p : *points)
-    text << p.getVector3fMap().transpose() << ' '
-         << p.getNormalVector3fMap().transpose() << '\n';
-  const std::string input = directory.file ("in put.xyz", text.str());
-  Parameters p;
-  p.batched_search = true;
-  InputCloud cloud;
-  std::string error;
-  ASSERT_TRUE (readCloud (input, p.k, p.threads, cloud, error)) << error;
-  CrestSession session (cloud, p);
-  p.angle = 5.0;
-  p.confidence = 1.0;
-  p.min_size = {8, 6};
-  session.setThresholds (p);
-  const std::size_t all = session.getLines().size();
-  p.min_strength = median (session, &CrestLine::strength);
-  session.setThresholds (p);
-  EXPECT_LT (session.getLines().size(), all);
-  const std::string prefix = directory.file ("out");
-  ASSERT_TRUE (exportSession (session, input, prefix, error)) << error;
+  // Near the origin, and on a map.
+  for (const double place : {0.0, 4571990.0}) {
+    const oracle::TemporaryDirectory directory;
+    std::ostringstream text;
+    text.precision (17);
+    const auto points = makeCloud();
+    for (const pcl::PointNormal& p : *points)
+      text << (p.getVector3fMap().cast<double>().array() + place).transpose() << ' '
+           << p.getNormalVector3fMap().transpose() << '\n';
+    const std::string input = directory.file ("in put.xyz", text.str());
+    Parameters p;
+    p.batched_search = true;
+    InputCloud cloud;
+    std::string error;
+    ASSERT_TRUE (readCloud (input, p.k, p.threads, cloud, error)) << error;
+    EXPECT_EQ (place == 0.0, cloud.placement.offset.isZero (0.0));
+    CrestSession session (cloud, p);
+    p.angle = 5.0;
+    p.confidence = 1.0;
+    p.min_size = {8, 6};
+    session.setThresholds (p);
+    const std::size_t all = session.getLines().size();
+    p.min_strength = median (session, &CrestLine::strength);
+    session.setThresholds (p);
+    EXPECT_LT (session.getLines().size(), all);
+    const std::string prefix = directory.file ("out");
+    ASSERT_TRUE (exportSession (session, input, prefix, error)) << error;
 
-  const auto contents = [&] {
-    auto statistics =
-        nlohmann::json::parse (oracle::contentOf (prefix + "_statistics.json"));
-    statistics.erase ("milliseconds");
-    return std::vector<std::string>{oracle::contentOf (prefix + "_labels.pcd"),
-                                    oracle::contentOf (prefix + "_lines.ply"),
-                                    statistics.dump (1)};
-  };
-  const std::vector<std::string> exported = contents();
-  EXPECT_FALSE (session.getLines().empty());
-  for (const char* file : {"_labels.pcd", "_lines.ply", "_statistics.json"})
-    std::filesystem::remove (prefix + file);
-  std::string command = oracle::contentOf (prefix + "_command.txt");
-  command.replace (0, command.find (' '), quoted (PCL_CREST_LINE_TOOL));
-  command.back() = ' ';
-  ASSERT_EQ (std::system ((command + ">/dev/null").c_str()), 0) << command;
-  EXPECT_EQ (contents(), exported) << command;
+    const auto contents = [&] {
+      auto statistics =
+          nlohmann::json::parse (oracle::contentOf (prefix + "_statistics.json"));
+      statistics.erase ("milliseconds");
+      return std::vector<std::string>{oracle::contentOf (prefix + "_labels.pcd"),
+                                      oracle::contentOf (prefix + "_lines.ply"),
+                                      statistics.dump (1)};
+    };
+    const std::vector<std::string> exported = contents();
+    EXPECT_FALSE (session.getLines().empty());
+    for (const char* file : {"_labels.pcd", "_lines.ply", "_statistics.json"})
+      std::filesystem::remove (prefix + file);
+    std::string command = oracle::contentOf (prefix + "_command.txt");
+    command.replace (0, command.find (' '), quoted (PCL_CREST_LINE_TOOL));
+    command.back() = ' ';
+    ASSERT_EQ (std::system ((command + ">/dev/null").c_str()), 0) << command;
+    EXPECT_EQ (contents(), exported) << command;
 
-  EXPECT_FALSE (exportSession (session, input, directory.file ("no/such"), error));
-  EXPECT_NE (error.find ("no/such_labels.pcd"), std::string::npos) << error;
+    EXPECT_FALSE (exportSession (session, input, directory.file ("no/such"), error));
+    EXPECT_NE (error.find ("no/such_labels.pcd"), std::string::npos) << error;
+  }
 }

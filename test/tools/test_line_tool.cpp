@@ -449,6 +449,40 @@ TEST_F (LineTool, InputsThatCannotBeRead)
   }
 }
 
+TEST_F (LineTool, FarCoordinatesAndPointsSetApartAreSaid)
+{
+  std::ostringstream text;
+  text.precision (12);
+  for (const pcl::PointNormal& p : *cloud_)
+    text << 32351990.0 + p.x << ' ' << 5717990.0 + p.y << ' ' << p.z << ' '
+         << p.getNormalVector3fMap().transpose() << '\n';
+  text << "32351990 5717990 -9999 0 0 1\n0 0 0 0 0 1\n";
+  const Outcome result = run ({directory_.file ("a.xyz", text.str()),
+                               outputs_.file ("o.pcd"),
+                               "-stats",
+                               outputs_.file ("s.json")});
+  ASSERT_EQ (0, result.code) << result.error;
+  EXPECT_NE (std::string::npos,
+             result.out.find ("far from the origin: 32351990 5717990 0 is taken off"))
+      << result.out;
+  EXPECT_NE (std::string::npos, result.out.find ("2 of 3")) << result.out;
+  EXPECT_NE (std::string::npos, result.out.find ("points are set apart"));
+  const auto json =
+      nlohmann::json::parse (oracle::contentOf (outputs_.file ("s.json")));
+  EXPECT_EQ (2, json.at ("points_set_apart"));
+  EXPECT_EQ (2, json.at ("invalid_points"));
+  EXPECT_EQ (nlohmann::json::parse ("[32351990, 5717990, 0]"), json.at ("offset"));
+
+  const Outcome near =
+      run ({input(), outputs_.file ("o.pcd"), "-stats", outputs_.file ("s.json")});
+  EXPECT_EQ (std::string::npos, near.out.find ("far from the origin")) << near.out;
+  EXPECT_EQ (std::string::npos, near.out.find ("set apart")) << near.out;
+  const auto of_near =
+      nlohmann::json::parse (oracle::contentOf (outputs_.file ("s.json")));
+  EXPECT_EQ (0, of_near.at ("points_set_apart"));
+  EXPECT_EQ (nlohmann::json::parse ("[0, 0, 0]"), of_near.at ("offset"));
+}
+
 TEST_F (LineTool, OutputsThatCannotBeWrittenAreFoundOutFirst)
 {
   std::filesystem::create_directory (outputs_.file ("d.json"));
