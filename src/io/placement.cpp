@@ -178,14 +178,14 @@ findPlacement (const Points& positions)
     return isFinite (i, axis) && !standsForNoData (positions[i][axis]) &&
            !positions[i].isZero (0.0);
   });
-  const Bulk all = findRange (positions, isFinite);
   // What all have along an axis is a coordinate.
   if (std::find (bulk.counts.begin(), bulk.counts.end(), 0) != bulk.counts.end())
-    bulk = all;
+    bulk = findBulk (positions, isFinite);
   Placement placement;
   setApart (positions, bulk, placement);
   // What was set apart has no part in the offset, and what was not, has.
-  if (bulk.counts != all.counts || !placement.apart.empty()) {
+  if (!placement.apart.empty() ||
+      bulk.counts != findRange (positions, isFinite).counts) {
     std::vector<bool> is_apart (positions.size(), false);
     for (const Placement::PointApart& point : placement.apart)
       is_apart[static_cast<std::size_t> (point.index)] = true;
@@ -289,6 +289,10 @@ placePoints (const std::vector<Eigen::Vector3d>& positions,
   for (std::size_t i = 0; i < positions.size(); ++i)
     points[i].getVector3fMap() = placement.toCloud (positions[i]);
   takeOut (placement, points);
+  points.is_dense =
+      std::all_of (points.begin(), points.end(), [] (const pcl::PointNormal& p) {
+        return pcl::isXYZFinite (p);
+      });
   return placement;
 }
 

@@ -642,6 +642,11 @@ TEST (Placement, CallersWithDoublesPlaceThemAlike)
   Cloud none (3, 1);
   EXPECT_TRUE (placePoints ({}, none).offset.isZero (0.0));
   EXPECT_TRUE (none.empty());
+  Positions with_stray = roof;
+  with_stray[5].z() = 1e7;
+  EXPECT_TRUE (other.is_dense);
+  EXPECT_EQ (1U, placePoints (with_stray, other).apart.size());
+  EXPECT_FALSE (other.is_dense);
 }
 
 TEST (Placement, NothingIsDoneWithoutNeed)

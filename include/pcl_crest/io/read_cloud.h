@@ -77,7 +77,7 @@ struct Placement {
  *
  * \param[in] positions in the order of the points
  * \param[in,out] points one for each position, which keep all but where they are; a
- * cloud of another size is resized
+ * cloud of another size is resized; is_dense tells whether all positions are finite
  * \return where the points lie, for the writers
  */
 PCL_CREST_EXPORT Placement
