@@ -8,6 +8,8 @@
 #include "program.h"
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace pcl {
 namespace crest {
@@ -27,6 +29,9 @@ setInput (const InputCloud& cloud,
   estimation.setInputCloud (cloud.points);
   if (cloud.estimate)
     estimation.setSignTrust ({cloud.estimate, &cloud.estimate->trust});
+  else if (cloud.sampled.sides_agree)
+    estimation.setSignTrust (
+        std::make_shared<const std::vector<float>> (cloud.points->size(), 1.0F));
   if (const auto& viewpoint = cloud.options.normals.viewpoint) {
     const Eigen::Vector3f place = cloud.placement.toCloud (*viewpoint);
     estimation.setViewPoint (place.x(), place.y(), place.z());

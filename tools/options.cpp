@@ -196,6 +196,15 @@ addReadingOptions (Options& options, ReadOptions& reading)
       normals.viewpoint = taken;
     return wanted;
   };
+  const auto takeSampling = [&reading] (const std::string& text) {
+    reading.samples_faces = text != "off";
+    if (!reading.samples_faces)
+      return std::string();
+    const bool is_number = takeNumber (text, reading.sample_spacing).empty();
+    return is_number && reading.sample_spacing > 0.0 && explainInvalid (reading).empty()
+               ? std::string()
+               : std::string ("a number above 0, or off");
+  };
   options.add_options() (
       "-format",
       value ("FORMAT", takeFormat),
@@ -205,9 +214,15 @@ addReadingOptions (Options& options, ReadOptions& reading)
       value ("NAMES", takeColumns),
       "what the columns of text are, as in x,y,z,-,nx,ny,nz,intensity\nor r,g,b; - for "
       "any other (default: told by names or values)") (
-      "-estimate_normals",
-      flag (normals.always_estimate),
-      "estimate normals, even if the file has some or faces") (
+      "-sample",
+      value ("SPACING|off", takeSampling),
+      "samples of faces in place of vertices: how far apart, in the\nunit of the file, "
+      "or "
+      "off (default: where vertices tell too\nlittle, as those of CAD meshes, as far "
+      "as "
+      "features need)") ("-estimate_normals",
+                         flag (normals.always_estimate),
+                         "estimate normals, even if the file has some or faces") (
       "-viewpoint",
       value ("X,Y,Z", takeViewpoint),
       "where estimated normals look to on open surfaces, in the\ncoordinates of the "

@@ -116,9 +116,9 @@ usage (const Options& options);
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
-/** \brief Adds -format and -columns, which tell how to read a file, -estimate_normals,
- * which has normals estimated whatever the file has, and what their side may be decided
- * by, -viewpoint and -up.
+/** \brief Adds -format and -columns, which tell how to read a file, -sample, which
+ * tells whether its faces are sampled, -estimate_normals, which has normals estimated
+ * whatever the file has, and what their side may be decided by, -viewpoint and -up.
  */
 void
 addReadingOptions (Options& options, ReadOptions& reading);

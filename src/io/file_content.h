@@ -6,7 +6,7 @@
 
 #include "io/file_points.h"
 #include "io/text_scanner.h"
-#include "normals/face_normals.h"
+#include "meshes/faces.h"
 
 #include <array>
 #include <optional>

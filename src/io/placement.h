@@ -27,6 +27,16 @@ struct PlacedContent {
   std::vector<std::string> notes;
 };
 
+/** \brief The positions of points. */
+inline PointView
+viewOf (const pcl::PointCloud<pcl::PointNormal>& points)
+{
+  return {&points.points.data()->x,
+          nullptr,
+          sizeof (pcl::PointNormal) / sizeof (float),
+          points.size()};
+}
+
 /** \brief Makes a cloud of the points of a file, and notes what was done for it. */
 PlacedContent
 placeContent (FileContent content);

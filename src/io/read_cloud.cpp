@@ -6,9 +6,10 @@
 #include <pcl/console/print.h>
 
 #include "base/stopwatch.h"
+#include "io/file_faces.h"
 #include "io/placement.h"
 #include "io/read_content.h"
-#include "normals/face_winding.h"
+#include "normals/face_normals.h"
 
 #include <algorithm>
 #include <new>
@@ -83,39 +84,12 @@ describe (const NormalEstimate& estimate, std::size_t k, const NormalHints& hint
   return note;
 }
 
-/** \brief Only positions are of interest. */
-PointView
-viewOf (const pcl::PointCloud<pcl::PointNormal>& points)
-{
-  return {&points.points.data()->x,
-          nullptr,
-          sizeof (pcl::PointNormal) / sizeof (float),
-          points.size()};
-}
-
 void
 setNormals (const std::vector<Eigen::Vector3f>& normals,
             pcl::PointCloud<pcl::PointNormal>& points)
 {
   for (std::size_t i = 0; i < normals.size(); ++i)
     points[i].getNormalVector3fMap() = normals[i];
-}
-
-/** \brief Makes faces run around the same way, and notes where they did not. */
-void
-unifyFaces (PlacedContent& content)
-{
-  const FaceWinding winding = unifyWinding (viewOf (*content.points), content.faces);
-  if (winding.turned != 0)
-    content.notes.push_back (std::to_string (winding.turned) + " of " +
-                             std::to_string (content.faces.ends.size()) +
-                             " faces run around the other way than those beside them, "
-                             "and were turned over.");
-  if (winding.contradictory != 0)
-    content.notes.push_back ("At " + std::to_string (winding.contradictory) +
-                             " edges no order of corners makes both faces look to the "
-                             "same side: the surface has but one side, or crosses "
-                             "itself.");
 }
 
 /** \brief Takes the normals from the best source that there is. */
@@ -208,12 +182,18 @@ readCloud (const std::string& file,
     Stopwatch watch (times);
     PlacedContent content = placeContent (readContent (file, options));
     watch.stageDone ("reading");
+    const SampledFaces sampled = replaceBySamples (content, options, threads);
+    if (sampled.faces != 0)
+      watch.stageDone ("sampling faces");
     if (normals.always_estimate) {
       content.has_normals = false;
       content.faces.ends.clear();
     }
     std::shared_ptr<const NormalEstimate> estimate;
-    const NormalSource source = provideNormals (content, k, threads, normals, estimate);
+    const NormalSource source =
+        sampled.faces != 0 && !normals.always_estimate
+            ? NormalSource::FACES
+            : provideNormals (content, k, threads, normals, estimate);
     if (source != NormalSource::ESTIMATED && (normals.viewpoint || normals.up))
       content.notes.push_back (
           std::string (!normals.up         ? "The viewpoint counts"
@@ -230,6 +210,7 @@ readCloud (const std::string& file,
     watch.stageDone ("normals");
     cloud = {content.points,
              std::move (content.placement),
+             sampled,
              source,
              options,
              std::move (estimate),

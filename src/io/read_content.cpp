@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -149,6 +150,8 @@ explainInvalid (const ReadOptions& options)
   if (!options.format.empty() && formatOf (options.format) == nullptr)
     return "the format \"" + options.format + "\" is none of " +
            boost::join (readFormats(), ", ");
+  if (!(options.sample_spacing >= 0.0) || std::isinf (options.sample_spacing))
+    return "the spacing of samples must be a number above 0, or 0 for none";
   return options.columns.empty() ? std::string()
                                  : explainInvalidColumns (options.columns);
 }

@@ -211,6 +211,10 @@ writeStatistics (
 {
   Json json;
   json["points"] = cloud.points->size();
+  if (cloud.sampled.faces != 0) {
+    json["sampled_faces"] = cloud.sampled.faces;
+    json["sample_spacing"] = cloud.sampled.spacing;
+  }
   json["invalid_points"] = countLabel (labels, LABEL_INVALID);
   if (parameters.boundaries)
     json["boundary_points"] = countLabel (labels, LABEL_BOUNDARY);

@@ -3,24 +3,11 @@
 #pragma once
 
 #include <pcl_crest/input.h>
-#include <pcl_crest/types.h>
+
+#include "meshes/faces.h"
 
 namespace pcl {
 namespace crest {
-
-/** \brief Polygons one after the other: the corners of face i are those from ends[i -
- * 1] (0 for the first) to ends[i].
- */
-struct Faces {
-  std::vector<index_t> corners;
-  std::vector<std::size_t> ends;
-
-  void
-  close ()
-  {
-    ends.push_back (corners.size());
-  }
-};
 
 /** \brief For each point the mean of the normals of its faces, weighted by their areas,
  * on the side from which the corners run counter-clockwise; zero for a point of no face

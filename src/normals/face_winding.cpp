@@ -3,89 +3,15 @@
 
 #include <Eigen/Geometry>
 
+#include "meshes/face_edges.h"
 #include "normals/signed_sets.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 namespace pcl {
 namespace crest {
 
 namespace {
-
-/** \brief A side of a face, listed at the smaller of its corners. */
-struct FaceEdge {
-  index_t larger;
-  index_t face;
-  /** whether the face runs from the smaller corner to the larger */
-  bool rises;
-};
-
-/** \brief The edges of all faces by their smaller corners: those of corner i are
- * edges[begins[i]] to edges[begins[i + 1] - 1], equal ones next to each other.
- */
-struct EdgeTable {
-  std::vector<std::size_t> begins;
-  std::vector<FaceEdge> edges;
-};
-
-/** \brief Calls use (face, from, to) for all sides of faces, but those of no length. */
-template <typename Use>
-void
-forEachSide (const Faces& faces, const Use& use)
-{
-  std::size_t first = 0;
-  for (std::size_t face = 0; face < faces.ends.size(); ++face) {
-    const std::size_t end = faces.ends[face];
-    for (std::size_t i = first; i < end; ++i) {
-      const index_t from = faces.corners[i];
-      const index_t to = faces.corners[i + 1 < end ? i + 1 : first];
-      if (from != to)
-        use (static_cast<index_t> (face), from, to);
-    }
-    first = end;
-  }
-}
-
-EdgeTable
-tabulate (const Faces& faces, std::size_t points)
-{
-  EdgeTable table;
-  table.begins.assign (points + 1, 0);
-  forEachSide (faces, [&table] (index_t, index_t from, index_t to) {
-    ++table.begins[static_cast<std::size_t> (std::min (from, to)) + 1];
-  });
-  std::partial_sum (table.begins.begin(), table.begins.end(), table.begins.begin());
-  table.edges.resize (table.begins.back());
-  std::vector<std::size_t> next (table.begins.begin(), table.begins.end() - 1);
-  forEachSide (faces, [&] (index_t face, index_t from, index_t to) {
-    table.edges[next[std::min (from, to)]++] = {std::max (from, to), face, from < to};
-  });
-  for (std::size_t i = 0; i < points; ++i)
-    std::sort (table.edges.begin() + static_cast<std::ptrdiff_t> (table.begins[i]),
-               table.edges.begin() + static_cast<std::ptrdiff_t> (table.begins[i + 1]),
-               [] (const FaceEdge& a, const FaceEdge& b) {
-                 return std::tie (a.larger, a.face) < std::tie (b.larger, b.face);
-               });
-  return table;
-}
-
-/** \brief Calls use (first, count) for the sides of faces along each edge. */
-template <typename Use>
-void
-forEachEdge (const EdgeTable& table, const Use& use)
-{
-  for (std::size_t i = 0; i + 1 < table.begins.size(); ++i)
-    for (std::size_t j = table.begins[i]; j < table.begins[i + 1];) {
-      std::size_t end = j + 1;
-      while (end < table.begins[i + 1] &&
-             table.edges[end].larger == table.edges[j].larger)
-        ++end;
-      use (&table.edges[j], end - j);
-      j = end;
-    }
-}
 
 /** \brief Faces that edges connect. */
 struct Body {
@@ -131,11 +57,11 @@ FaceWinding
 unifyWinding (const PointView& cloud, Faces& faces)
 {
   const std::size_t count = faces.ends.size();
-  const EdgeTable table = tabulate (faces, cloud.size);
+  const EdgeTable table = tabulateEdges (faces, cloud.size);
   FaceWinding winding;
   SignedSets sets (count);
   std::vector<std::uint8_t> is_open (count, 0);
-  forEachEdge (table, [&] (const FaceEdge* edge, std::size_t sides) {
+  forEachEdge (table, [&] (index_t, const FaceEdge* edge, std::size_t sides) {
     // More than two meet where bodies touch, which says nothing of their order.
     if (sides != 2) {
       for (std::size_t i = 0; i < sides; ++i)

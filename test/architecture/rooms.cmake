@@ -2,9 +2,9 @@
 # Every room of SOURCE includes itself and rooms before it in this list alone; PCL, Boost, FLANN and VTK
 # are only included where they belong. Each source lies in a room.
 cmake_policy(VERSION 3.22)
-set(rooms base search sampling normals surface curvature crests lines creases presets pcl io
+set(rooms base search meshes sampling normals surface curvature crests lines creases presets pcl io
           visualization)
-set(core base search sampling normals surface curvature crests lines creases presets)
+set(core base search meshes sampling normals surface curvature crests lines creases presets)
 
 file(GLOB loose "${SOURCE}/*.cpp" "${SOURCE}/*.h")
 if(loose)

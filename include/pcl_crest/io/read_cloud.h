@@ -107,21 +107,39 @@ struct ReadOptions {
    * by a line of names, else by the values */
   std::vector<std::string> columns;
   NormalOptions normals;
+  /** whether faces are sampled where their vertices tell too little of them */
+  bool samples_faces = true;
+  /** between samples of faces, in the unit of the file; where it is above 0 all faces
+   * are sampled, whatever their vertices tell */
+  double sample_spacing = 0.0;
+};
+
+/** \brief What was sampled in the place of vertices. */
+struct SampledFaces {
+  /** triangles; 0 where the points are those of the file */
+  std::size_t faces = 0;
+  /** the root of the area for each sample, in the unit of the file */
+  double spacing = 0.0;
+  /** whether the order of corners agreed over all edges as it was in the file, so that
+   * no normal can be on the wrong side, however near two sides of a wall are */
+  bool sides_agree = false;
 };
 
 /** \brief A cloud as read from a file, ready for the crest line estimation. */
 struct InputCloud {
-  /** one point per point of the file, in its order; is_dense is honest */
+  /** one point per point of the file, in its order, or samples of its faces; is_dense
+   * is honest */
   pcl::PointCloud<pcl::PointNormal>::Ptr points;
   /** where they, and sensor_origin_, lie in the coordinates of the file */
   Placement placement;
+  SampledFaces sampled;
   NormalSource normals = NormalSource::FILE;
   /** what it was read with */
   ReadOptions options;
   /** what is known of normals that were estimated; else null */
   std::shared_ptr<const NormalEstimate> estimate;
   /** of each point red, green and blue up to 255, where a PCD, PLY or text file has
-   * them; else empty */
+   * them and its points are these; else empty */
   std::vector<std::array<unsigned char, 3>> colors;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
@@ -154,6 +172,12 @@ explainInvalid (const ReadOptions& options);
  * Coordinates are read as doubles. Where floats are too coarse for them, an offset is
  * taken off, and points that cannot be meant are set apart (see placePoints); the notes
  * say so, and the writers put all where it was.
+ *
+ * Meshes as CAD programs write them have vertices on their edges alone, or much closer
+ * to each other along these than the faces are wide. Such faces are sampled evenly, and
+ * the samples with the normals of the faces are the cloud; the spacing, which tells the
+ * narrowest features as far as a million samples do, is in the notes. Meshes whose
+ * vertices are samples of their surface by themselves stay as they are.
  *
  * The columns of text may be parted by blanks, tabs, commas or semicolons, and decimals
  * by commas where that is certain. A line of names tells what the columns are; without
