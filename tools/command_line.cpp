@@ -76,6 +76,10 @@ optionsOf (const InputCloud& cloud)
     text += " -format " + options.format;
   if (!options.columns.empty())
     text += " -columns " + boost::join (options.columns, ",");
+  if (!options.samples_faces)
+    text += " -sample off";
+  else if (options.sample_spacing > 0.0)
+    text += " -sample " + shortest (options.sample_spacing);
   if (cloud.normals != NormalSource::ESTIMATED)
     return text;
   const auto place = [] (const auto& p) {

@@ -7,6 +7,7 @@
 #include "search/position_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -166,6 +167,36 @@ findBareRegions (const Faces& triangles, EdgeFindings& found)
   return bare;
 }
 
+/** \brief Of each sharp edge the length of the chain that it is of, from corner to
+ * corner.
+ */
+std::vector<double>
+chainLengths (std::size_t points, const std::vector<SharpEdge>& edges)
+{
+  std::vector<std::array<index_t, 2>> first_at (points, {-1, -1});
+  std::vector<int> meeting (points, 0);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (const index_t end : {edges[i].from, edges[i].to}) {
+      if (meeting[end] < 2)
+        first_at[end][meeting[end]] = static_cast<index_t> (i);
+      ++meeting[end];
+    }
+  DisjointSets chains (edges.size());
+  for (std::size_t i = 0; i < points; ++i)
+    if (meeting[i] == 2)
+      chains.unite (first_at[i][0], first_at[i][1]);
+  std::vector<double> sums (edges.size(), 0.0);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    sums[chains.find (static_cast<index_t> (i))] += edges[i].length;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    lengths.push_back (sums[chains.find (static_cast<index_t> (i))]);
+  return lengths;
+}
+
+/** So much longer than a width of as many samples: shorter lines are noise to most. */
+constexpr double CHAIN_OVER_WIDTH = 7.0 / 4.0;
+
 /** \brief The width that all but one percent of the sharp edges leave beside them. */
 double
 featureWidth (const std::vector<double>& areas, std::size_t points, EdgeFindings& found)
@@ -178,6 +209,7 @@ featureWidth (const std::vector<double>& areas, std::size_t points, EdgeFindings
     region_areas[region] += areas[face];
     region_outlines[region] += found.outlines[face];
   }
+  const std::vector<double> chains = chainLengths (points, found.sharp);
   DisjointSets rings (points);
   for (const SharpEdge& edge : found.sharp)
     rings.unite (edge.from, edge.to);
@@ -185,8 +217,10 @@ featureWidth (const std::vector<double>& areas, std::size_t points, EdgeFindings
   for (const SharpEdge& edge : found.sharp)
     ring_lengths[rings.find (edge.from)] += edge.length;
   std::vector<Weighted> widths;
-  for (const SharpEdge& edge : found.sharp) {
-    double width = ring_lengths[rings.find (edge.from)] / (2.0 * PI);
+  for (std::size_t i = 0; i < found.sharp.size(); ++i) {
+    const SharpEdge& edge = found.sharp[i];
+    double width = std::min (ring_lengths[rings.find (edge.from)] / (2.0 * PI),
+                             chains[i] / CHAIN_OVER_WIDTH);
     for (const index_t face : {edge.face, edge.other}) {
       const index_t region = found.regions.find (face);
       // Of a strip, and half the radius of a disk.

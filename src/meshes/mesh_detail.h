@@ -22,8 +22,8 @@ struct PCL_CREST_EXPORT MeshDetail {
    * are none */
   double vertex_spacing = 0.0;
   /** what all but one percent of the sharp edges leave beside them: the widths of the
-   * smooth regions that they bound, and the radii of the rings that they form; 0 where
-   * no edge is sharp */
+   * smooth regions that they bound, the radii of the rings that they form, and four
+   * sevenths of their lengths from corner to corner; 0 where no edge is sharp */
   double feature_width = 0.0;
   /** whether all of it lies in planes that no edge connects */
   bool is_flat = true;

@@ -3,31 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "normals/face_winding.h"
+#include "support/polygon_mesh.h"
 #include "support/sphere_mesh.h"
 
 #include <cmath>
 
 using namespace pcl::crest;
+using Mesh = oracle::PolygonMesh;
 
 namespace {
-
-struct Mesh {
-  std::vector<Eigen::Vector3f> points;
-  Faces faces;
-
-  void
-  add (const std::vector<index_t>& corners)
-  {
-    faces.corners.insert (faces.corners.end(), corners.begin(), corners.end());
-    faces.close();
-  }
-
-  PointView
-  view () const
-  {
-    return {points.front().data(), nullptr, 3, points.size()};
-  }
-};
 
 /** \brief A sphere some of whose triangles run clockwise. */
 template <typename IsTurned>

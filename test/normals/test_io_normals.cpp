@@ -197,13 +197,16 @@ TEST_F (IoNormals, OfFacesAreWeightedByArea)
   // Areas 1 and 3 in two planes at a right angle, met at the first two points.
   InputCloud cloud;
   std::string error;
+  ReadOptions vertices;
+  vertices.samples_faces = false;
   ASSERT_TRUE (readCloud (directory_.file ("b.off",
                                            "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
                                            "1 0 -3\n0 0 -3\n4 0 1 2 3\n4 1 0 5 4\n"),
                           12,
                           1,
                           cloud,
-                          error))
+                          error,
+                          vertices))
       << error;
   const Eigen::Vector3f expected = Eigen::Vector3f (0, -3, 1).normalized();
   EXPECT_LT (((*cloud.points)[0].getNormalVector3fMap() - expected).norm(), 1e-6F);

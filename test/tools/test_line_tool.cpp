@@ -233,6 +233,31 @@ TEST_F (LineTool, TellsHowTheCloudWasSampled)
   }
 }
 
+TEST_F (LineTool, TellsThatFacesWereSampled)
+{
+  const std::string tetrahedron = directory_.file (
+      "a.off",
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto statisticsWith = [&] (const std::vector<std::string>& options) {
+    const std::string file = outputs_.file ("s.json");
+    std::vector<std::string> arguments{
+        tetrahedron, outputs_.file ("o.pcd"), "-stats", file};
+    arguments.insert (arguments.end(), options.begin(), options.end());
+    const Outcome result = run (arguments);
+    EXPECT_EQ (0, result.code) << result.error;
+    EXPECT_EQ (options.empty() || options[1] != "off",
+               result.out.find ("4 faces were sampled evenly") != std::string::npos);
+    return nlohmann::json::parse (oracle::contentOf (file));
+  };
+  const auto chosen = statisticsWith ({});
+  EXPECT_EQ (4, chosen.at ("sampled_faces"));
+  EXPECT_GT (chosen.at ("points").get<int>(), 30000);
+  EXPECT_EQ (0.1, statisticsWith ({"-sample", "0.1"}).at ("sample_spacing"));
+  const auto off = statisticsWith ({"-sample", "off"});
+  EXPECT_EQ (4, off.at ("points"));
+  EXPECT_EQ (0U, off.count ("sampled_faces"));
+}
+
 TEST_F (LineTool, CountsAreGrammatical)
 {
   const Outcome result = run ({input(), outputs_.file ("o.pcd"), "-S", "100000"});
@@ -424,6 +449,9 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
   expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");
   expectUsageError ({in, out, "-columns", "x,y,z,x"}, "as in x,y,z,-,nx,ny,nz");
+  for (const char* const spacing : {"0", "-1", "inf", "on"})
+    expectUsageError ({in, out, "-sample", spacing},
+                      "must be a number above 0, or off");
   expectUsageError ({in, out, "-stats", outputs_.file ("s.txt")}, "must be .json");
   expectUsageError ({in, out, "-curvatures", out}, "named twice");
   expectUsageError ({out, out}, "named twice");
