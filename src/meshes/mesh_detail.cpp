@@ -45,13 +45,16 @@ std::vector<double>
 cornerSpacings (const PointView& cloud, const Faces& triangles, const Workers& workers)
 {
   constexpr int NEAREST = 6;
-  std::vector<index_t> corners = triangles.corners;
-  std::sort (corners.begin(), corners.end());
-  corners.erase (std::unique (corners.begin(), corners.end()), corners.end());
+  std::vector<std::uint8_t> is_corner (cloud.size, 0);
+  for (const index_t corner : triangles.corners)
+    is_corner[corner] = 1;
+  std::vector<index_t> corners;
   std::vector<Eigen::Vector3f> positions;
-  positions.reserve (corners.size());
-  for (const index_t corner : corners)
-    positions.push_back (cloud.positionOf (static_cast<std::size_t> (corner)));
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (is_corner[i] != 0) {
+      corners.push_back (static_cast<index_t> (i));
+      positions.push_back (cloud.positionOf (i));
+    }
   const std::shared_ptr<const PointTree> tree = treeOver (positions, workers.threads);
   std::vector<double> spacings (cloud.size, 0.0);
   forEachBlock (

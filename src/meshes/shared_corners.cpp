@@ -7,7 +7,6 @@
 #include "base/radix_sort.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 namespace pcl {
@@ -70,31 +69,48 @@ private:
   double scale_ = 0.0;
 };
 
-/** \brief Unites points at the same place. */
+/** \brief Unites a point with those of a cell that are at its place. */
+void
+uniteWithin (const RoundingCells& cells,
+             const std::vector<CellPoint>& points,
+             index_t own,
+             std::vector<CellPoint>::const_iterator other,
+             DisjointSets& same)
+{
+  for (const std::uint64_t cell = other->cell;
+       other != points.end() && other->cell == cell;
+       ++other)
+    if (other->point < own && cells.areSame (other->point, own))
+      same.unite (other->point, own);
+}
+
+/** \brief Unites points at the same place, whose cells are in order. */
 void
 uniteSame (const RoundingCells& cells,
            const std::vector<CellPoint>& points,
            DisjointSets& same)
 {
+  auto begin = points.begin();
   for (const CellPoint& own : points) {
-    std::array<std::uint64_t, 8> near{};
-    for (int corner = 0; corner < 8; ++corner)
-      near[corner] = cells.cellOf (own.point,
-                                   {(corner & 1) != 0 ? 1.0 : -1.0,
-                                    (corner & 2) != 0 ? 1.0 : -1.0,
-                                    (corner & 4) != 0 ? 1.0 : -1.0});
-    std::sort (near.begin(), near.end());
-    const auto* const end = std::unique (near.begin(), near.end());
-    for (const std::uint64_t* cell = near.begin(); cell != end; ++cell)
-      for (auto other = std::lower_bound (
-               points.begin(),
-               points.end(),
-               *cell,
-               [] (const CellPoint&p, std::uint64_t key) { return p.cell < key; });
-           other != points.end() && other->cell == *cell;
-           ++other)
-        if (other->point < own.point && cells.areSame (other->point, own.point))
-          same.unite (other->point, own.point);
+    if (begin->cell != own.cell)
+      begin = points.begin() + (&own - points.data());
+    uniteWithin (cells, points, own.point, begin, same);
+    const Eigen::Vector3d diagonal = Eigen::Vector3d::Ones();
+    if (cells.cellOf (own.point, -diagonal) == cells.cellOf (own.point, diagonal))
+      continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::uint64_t near = cells.cellOf (own.point,
+                                               {(corner & 1) != 0 ? 1.0 : -1.0,
+                                                (corner & 2) != 0 ? 1.0 : -1.0,
+                                                (corner & 4) != 0 ? 1.0 : -1.0});
+      const auto other = std::lower_bound (
+          points.begin(),
+          points.end(),
+          near,
+          [] (const CellPoint& p, std::uint64_t cell) { return p.cell < cell; });
+      if (near != own.cell && other != points.end() && other->cell == near)
+        uniteWithin (cells, points, own.point, other, same);
+    }
   }
 }
 
