@@ -200,36 +200,50 @@ chainLengths (std::size_t points, const std::vector<SharpEdge>& edges)
 /** So much longer than a width of as many samples: shorter lines are noise to most. */
 constexpr double CHAIN_OVER_WIDTH = 7.0 / 4.0;
 
-/** \brief The width that all but one percent of the sharp edges leave beside them. */
-double
-featureWidth (const std::vector<double>& areas, std::size_t points, EdgeFindings& found)
+/** \brief Twice the area over the outline, of the region of each face: the width of a
+ * strip, and the radius of a disk. 0 where nothing bounds it.
+ */
+std::vector<double>
+regionWidths (const std::vector<double>& areas, EdgeFindings& found)
 {
-  constexpr double STRAY = 0.01;
   std::vector<double> region_areas (areas.size(), 0.0);
-  std::vector<double> region_outlines (areas.size(), 0.0);
+  std::vector<double> outlines (areas.size(), 0.0);
   for (std::size_t face = 0; face < areas.size(); ++face) {
     const index_t region = found.regions.find (static_cast<index_t> (face));
     region_areas[region] += areas[face];
-    region_outlines[region] += found.outlines[face];
+    outlines[region] += found.outlines[face];
   }
-  const std::vector<double> chains = chainLengths (points, found.sharp);
+  std::vector<double> widths;
+  for (std::size_t face = 0; face < areas.size(); ++face) {
+    const index_t region = found.regions.find (static_cast<index_t> (face));
+    widths.push_back (
+        outlines[region] > 0.0 ? 2.0 * region_areas[region] / outlines[region] : 0.0);
+  }
+  return widths;
+}
+
+/** \brief The width that all but one percent of the sharp edges leave beside them. */
+double
+featureWidth (const std::vector<double>& region_widths,
+              std::size_t points,
+              const std::vector<SharpEdge>& edges)
+{
+  constexpr double STRAY = 0.01;
+  const std::vector<double> chains = chainLengths (points, edges);
   DisjointSets rings (points);
-  for (const SharpEdge& edge : found.sharp)
+  for (const SharpEdge& edge : edges)
     rings.unite (edge.from, edge.to);
   std::vector<double> ring_lengths (points, 0.0);
-  for (const SharpEdge& edge : found.sharp)
+  for (const SharpEdge& edge : edges)
     ring_lengths[rings.find (edge.from)] += edge.length;
   std::vector<Weighted> widths;
-  for (std::size_t i = 0; i < found.sharp.size(); ++i) {
-    const SharpEdge& edge = found.sharp[i];
-    double width = std::min (ring_lengths[rings.find (edge.from)] / (2.0 * PI),
-                             chains[i] / CHAIN_OVER_WIDTH);
-    for (const index_t face : {edge.face, edge.other}) {
-      const index_t region = found.regions.find (face);
-      // Of a strip, and half the radius of a disk.
-      width = std::min (width, 2.0 * region_areas[region] / region_outlines[region]);
-    }
-    widths.emplace_back (width, edge.length);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const SharpEdge& edge = edges[i];
+    widths.emplace_back (std::min ({ring_lengths[rings.find (edge.from)] / (2.0 * PI),
+                                    chains[i] / CHAIN_OVER_WIDTH,
+                                    region_widths[edge.face],
+                                    region_widths[edge.other]}),
+                         edge.length);
   }
   return weightedQuantile (widths, STRAY);
 }
@@ -237,6 +251,8 @@ featureWidth (const std::vector<double>& areas, std::size_t points, EdgeFindings
 /** What it takes to find the edges of a feature: planes two or three samples wide on
  * either side. */
 constexpr double SAMPLES_PER_WIDTH = 4.0;
+/** Windows that tell the sampling have a radius of 11. */
+constexpr double SAMPLES_PER_REGION = 20.0;
 /** Enough for lines that look smooth, and as many as take some seconds. */
 constexpr double LEAST_SAMPLES = 4e4;
 constexpr double MOST_SAMPLES = 1e6;
@@ -257,6 +273,8 @@ MeshDetail::resolvingSpacing() const
   double spacing = std::sqrt (area / LEAST_SAMPLES);
   if (feature_width > 0.0)
     spacing = std::min (spacing, feature_width / SAMPLES_PER_WIDTH);
+  if (region_width > 0.0)
+    spacing = std::min (spacing, region_width / SAMPLES_PER_REGION);
   if (area - untold_area > MUCH * area && vertex_spacing > 0.0)
     spacing = std::min (spacing, vertex_spacing);
   return std::max (spacing, std::sqrt (area / MOST_SAMPLES));
@@ -299,7 +317,13 @@ measureDetail (const PointView& cloud,
   }
   detail.vertex_spacing = weightedQuantile (told, 0.5);
   detail.is_flat = found.is_flat;
-  detail.feature_width = featureWidth (shapes.areas, cloud.size, found);
+  const std::vector<double> widths = regionWidths (shapes.areas, found);
+  detail.feature_width = featureWidth (widths, cloud.size, found.sharp);
+  std::vector<Weighted> bounded;
+  for (std::size_t face = 0; face < widths.size(); ++face)
+    if (widths[face] > 0.0)
+      bounded.emplace_back (widths[face], shapes.areas[face]);
+  detail.region_width = weightedQuantile (bounded, 0.5);
   return detail;
 }
 

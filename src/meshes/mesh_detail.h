@@ -25,6 +25,9 @@ struct PCL_CREST_EXPORT MeshDetail {
    * smooth regions that they bound, the radii of the rings that they form, and four
    * sevenths of their lengths from corner to corner; 0 where no edge is sharp */
   double feature_width = 0.0;
+  /** that of the smooth regions that edges bound, the median over their area; 0 where
+   * none are bounded */
+  double region_width = 0.0;
   /** whether all of it lies in planes that no edge connects */
   bool is_flat = true;
 

@@ -110,6 +110,10 @@ TEST (MeshDetail, SpacingTellsTheNarrowestFeature)
   // A cube needs no finer ones than lines that look smooth do.
   const MeshDetail cube = detailOf (oracle::cuboid (1.0F, 1.0F, 1.0F));
   EXPECT_NEAR (cube.resolvingSpacing(), std::sqrt (6.0 / 4e4), 1e-6);
+  // Around a rod samples have to tell its sides apart.
+  const MeshDetail rod = detailOf (oracle::cuboid (20.0F, 0.3F, 0.3F));
+  EXPECT_NEAR (rod.region_width, 2.0 * 20.0 * 0.3 / (2.0 * 20.3), 1e-5);
+  EXPECT_NEAR (rod.resolvingSpacing(), rod.region_width / 20.0, 1e-6);
   // Too narrow for a million samples.
   const MeshDetail sheet = detailOf (oracle::cuboid (100.0F, 100.0F, 0.02F));
   EXPECT_TRUE (sheet.isFinerThanSamples());
