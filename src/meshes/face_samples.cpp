@@ -152,7 +152,7 @@ spreadDarts (const Darts& places,
   return darts;
 }
 
-/** rief The darts of a cell; those that found room come first. */
+/** \brief The darts of a cell; those that found room come first. */
 struct CellDarts {
   std::uint64_t cell;
   std::size_t first;

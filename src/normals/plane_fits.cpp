@@ -172,9 +172,9 @@ kurtosisOf (const Coordinates& offsets,
 
 /** \brief The plane through the offsets of neighbours from a sample.
  *
- * \param[in] offsets the first so many of them
- * \param[in] size
- * \param[in] all the scatter of these
+ * \param[in] offsets whose first ones are fitted
+ * \param[in] size how many of them
+ * \param[in] all their scatter
  * \param[in] rounding of the coordinates
  */
 PlaneFit

@@ -157,10 +157,15 @@ RayParity::findHits (const Ray& ray, std::vector<Hit>& hits) const
   waiting[count++] = {levels_.size() - 1, 0};
   while (count != 0) {
     const Group group = waiting[--count];
+    const std::size_t all =
+        group.level == 0 ? discs_.size() : levels_[group.level - 1].size();
     unsigned met = meet (ray, levels_[group.level][group.number]);
     for (; met != 0; met &= met - 1) {
       const std::size_t below =
           group.number * CHILDREN + static_cast<std::size_t> (__builtin_ctz (met));
+      // Boxes that are missing are at the origin.
+      if (below >= all)
+        break;
       if (group.level != 0)
         waiting[count++] = {group.level - 1, below};
       else if (!meet (ray, discs_[below], hits))
