@@ -34,9 +34,7 @@ constexpr double LEAST_EVIDENCE = 9.0;
 /** Below, two planes are as good as one; above, they are two sheets. */
 constexpr double LEAST_ANGLE = 7.0;
 constexpr double LARGEST_ANGLE = 155.0;
-/** In spacings: mean distance of the neighbours from the two planes, and of the edge
- * from its sample. */
-constexpr double LARGEST_RESIDUAL = 0.35;
+/** In spacings: distance of an edge from its sample. */
 constexpr double FARTHEST_FOOT = 1.0;
 /** In spacings: distances that are zero up to rounding, and to what little curvature
  * the faces of an edge may have. */
@@ -55,12 +53,17 @@ using SmoothResiduals = std::array<double, WINDOWS.size()>;
 class CreaseFitter {
 public:
   /** \param[in] points, graph the samples
+   * \param[in] largest_residual that two planes may leave, in spacings
    * \param[in] smooth the cubics that edges have to beat; fit uses its first lane
    */
   CreaseFitter (const OrientedPoints& points,
                 const SurfaceGraph& graph,
+                double largest_residual,
                 CubicResiduals& smooth)
-  : points_ (points), graph_ (graph), smooth_ (smooth)
+  : points_ (points)
+  , graph_ (graph)
+  , largest_square_ (largest_residual * largest_residual)
+  , smooth_ (smooth)
   {}
 
   [[nodiscard]] index_t
@@ -173,7 +176,21 @@ private:
     const double by_evidence =
         std::exp (-LEAST_EVIDENCE / static_cast<double> (count)) * (of_cubic + ZERO) -
         ZERO;
-    return std::min ({LARGEST_RESIDUAL * LARGEST_RESIDUAL, by_ratio, by_evidence});
+    return std::min ({largest_square_, by_ratio, by_evidence});
+  }
+
+  /** \brief What to take off the residual of a cubic because it is of heights: where
+   * the surface slopes by half the angle, these exceed the distances from planes, those
+   * of noise as well. That helps to see edges, but where much noise is let through it
+   * would draw some along a pipe of seven spacings, unless a third is taken off.
+   */
+  static double
+  excessOfHeights (double angle, double of_planes)
+  {
+    constexpr double MUCH = 0.35 * 0.35;
+    constexpr double PART = 0.33;
+    const double slope = std::tan (0.5 * angle / DEGREES);
+    return PART * slope * slope * std::max (0.0, of_planes - MUCH);
   }
 
   /** \brief The line where two planes meet. */
@@ -251,12 +268,13 @@ private:
       return;
     const double of_planes = planes_.squaredDistances (positions_, count) /
                              static_cast<double> (count - PLANE_PARAMETERS);
-    if (of_planes > LARGEST_RESIDUAL * LARGEST_RESIDUAL)
+    if (of_planes > largest_square_)
       return;
     const Vector3d normal = (planes_[0].normal + planes_[1].normal).normalized();
     if (seesThirdFace (count, normal))
       return;
-    const double of_smooth = smoothResidual (count, normal);
+    const double of_smooth =
+        smoothResidual (count, normal) - excessOfHeights (line->angle, of_planes);
     const double noisy_ratio = (of_planes + ZERO) / (of_smooth + ZERO);
     if (of_planes > largestResidual (count, of_smooth) || noisy_ratio > smallest_ratio_)
       return;
@@ -321,10 +339,8 @@ private:
       positions_.set (i, scale * points_.edge (sample_, nearest_[i]));
       normals_.set (i, points_.normals[nearest_[i]].cast<double>());
     }
-    const auto rim = fitPlateRim (positions_,
-                                  normals_,
-                                  points_.normals[sample_].cast<double>(),
-                                  LARGEST_RESIDUAL * LARGEST_RESIDUAL);
+    const auto rim = fitPlateRim (
+        positions_, normals_, points_.normals[sample_].cast<double>(), largest_square_);
     if (!rim)
       return {};
     constexpr double RIGHT_ANGLE = 90.0;
@@ -344,7 +360,7 @@ private:
   mayHaveFaces (std::size_t count, double of_cubic) const
   {
     return of_cubic - noiseOf (count) > 0.5 * LEAST_OF_CUBIC &&
-           noiseOf (count) < LARGEST_RESIDUAL * LARGEST_RESIDUAL;
+           noiseOf (count) < largest_square_;
   }
 
   /** \brief Whether neighbours lie around the sample rather than on a line or two of a
@@ -390,6 +406,8 @@ private:
 
   const OrientedPoints& points_;
   const SurfaceGraph& graph_;
+  /** mean squared distance of the neighbours from two planes, in squared spacings */
+  const double largest_square_;
   CubicResiduals& smooth_;
   index_t sample_ = 0;
   /** what was found, and squared distances and points of those that are no far side */
@@ -433,8 +451,10 @@ class CreaseFinder : public LaneBatch<CreaseFinder> {
 public:
   CreaseFinder (const OrientedPoints& points,
                 const SurfaceGraph& graph,
+                double largest_residual,
                 std::vector<Crease>& creases)
-  : creases_ (creases), fitters_ (LANES, CreaseFitter (points, graph, smooth_))
+  : creases_ (creases)
+  , fitters_ (LANES, CreaseFitter (points, graph, largest_residual, smooth_))
   {}
 
   /** \brief Tests a sample together with others, at the latest when finish is called.
@@ -474,13 +494,14 @@ void
 testSamples (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
+             double largest_residual,
              const std::vector<index_t>& samples,
              const Workers& workers,
              std::vector<Crease>& creases)
 {
   forEachBlock (
       samples.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CreaseFinder finder (points, graph, creases);
+        CreaseFinder finder (points, graph, largest_residual, creases);
         std::vector<index_t> found;
         for (std::size_t i = first; i < last; ++i) {
           if (!isWorthATry (points, graph, samples[i]))
@@ -526,6 +547,7 @@ std::vector<Crease>
 findCreases (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
+             double largest_residual,
              const Workers& workers)
 {
   // As many as suffice for the longest edges between centres that see it, wherever the
@@ -542,7 +564,7 @@ findCreases (const OrientedPoints& points,
     // The centres are about half of the work.
     if (workers.progress != nullptr)
       workers.progress->beginPart (std::min (round, 1), 2);
-    testSamples (points, graph, search, samples, workers, creases);
+    testSamples (points, graph, search, largest_residual, samples, workers, creases);
     samples = aroundCreases (graph, samples, creases, tested);
   }
   return creases;

@@ -52,6 +52,8 @@ constexpr int CREASE_NEIGHBORS = 96;
  *
  * \param[in] points, graph the samples; spacings are taken from the graph
  * \param[in] search finds CREASE_NEIGHBORS neighbours
+ * \param[in] largest_residual that two planes may leave of the neighbours: their root
+ * mean square distance, in spacings
  * \param[in] workers a number of threads, 0 for all processors
  * \return for each sample its crease, NONE for those that were not tested
  */
@@ -59,6 +61,7 @@ std::vector<Crease>
 findCreases (const OrientedPoints& points,
              const SurfaceGraph& graph,
              const NeighborSearch& search,
+             double largest_residual,
              const Workers& workers);
 
 } // namespace crest

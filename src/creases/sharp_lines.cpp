@@ -36,14 +36,34 @@ onSamples (const OrientedPoints& nodes, SharpLines lines)
   return lines;
 }
 
+/** \brief What two planes may leave, by the noise of samples; all in spacings. Where
+ * there is little, more would be curved faces, or lines that belong to a third one.
+ */
+double
+largestResidual (double noise)
+{
+  constexpr double LOW_NOISE = 0.22;
+  constexpr double HIGH_NOISE = 0.27;
+  constexpr double IN_LOW_NOISE = 0.35;
+  constexpr double IN_HIGH_NOISE = 0.55;
+  const double high =
+      std::clamp ((noise - LOW_NOISE) / (HIGH_NOISE - LOW_NOISE), 0.0, 1.0);
+  return IN_LOW_NOISE + high * (IN_HIGH_NOISE - IN_LOW_NOISE);
+}
+
 SharpLines
 linesOn (const OrientedPoints& points,
          const SurfaceGraph& graph,
          const NeighborSearch& search,
+         double noise,
          const Workers& workers)
 {
   return traceCreases (
-      points, graph, search, findCreases (points, graph, search, workers), workers);
+      points,
+      graph,
+      search,
+      findCreases (points, graph, search, largestResidual (noise), workers),
+      workers);
 }
 
 } // namespace
@@ -54,12 +74,13 @@ findSharpLines (const OrientedPoints& points,
                 const std::shared_ptr<const PointTree>& tree,
                 const Workers& workers)
 {
-  // In spacings: more hides the lesser edges, and two planes may leave only as much.
+  // In spacings: more hides the lesser edges.
   constexpr double LEAST_NOISE = 0.52;
   constexpr double NOISE_OF_NODES = 0.28;
   const NeighborSearch search = batchedSearch (tree, CREASE_NEIGHBORS);
-  if (typicalNoise (points, search) < LEAST_NOISE)
-    return linesOn (points, graph, search, workers);
+  const double noise = typicalNoise (points, search);
+  if (noise < LEAST_NOISE)
+    return linesOn (points, graph, search, noise, workers);
   const OrientedPoints nodes = gatherOnSurface (points, NOISE_OF_NODES, workers);
   const std::shared_ptr<const PointTree> node_tree =
       treeOver (nodes.positions, workers.threads);
@@ -69,6 +90,7 @@ findSharpLines (const OrientedPoints& points,
                     linesOn (nodes,
                              buildSurfaceGraph (nodes, node_tree, parameters),
                              batchedSearch (node_tree, CREASE_NEIGHBORS),
+                             NOISE_OF_NODES,
                              workers));
 }
 

@@ -29,11 +29,14 @@ find (const Cloud& cloud, unsigned threads = 0)
 {
   Found found;
   found.stages = oracle::surfaceStages (cloud);
+  // Of samples with little noise, in spacings.
+  constexpr double LARGEST_RESIDUAL = 0.35;
   Parameters parameters;
   parameters.k = CREASE_NEIGHBORS;
   found.creases = findCreases (found.stages.points,
                                found.stages.graph,
                                oracle::kdTreeSearch (found.stages.points, parameters),
+                               LARGEST_RESIDUAL,
                                threads);
   return found;
 }
