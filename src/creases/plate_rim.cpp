@@ -19,33 +19,53 @@ struct Sheet {
   std::vector<std::size_t> points;
   Plane plane;
 
-  /** \brief Takes the points whose normals are along one, and fits a plane. Returns
-   * false if they are few, or do not lie in it.
-   */
+  /** \brief Takes the points whose normals are along one. */
+  Sheet (const Coordinates& normals, const Eigen::Vector3d& normal)
+  {
+    plane.normal = normal;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      if (normals[i].dot (normal) > LEAST_COSINE)
+        points.push_back (i);
+  }
+
+  /** \brief Fits the plane. Returns false if points are too few. */
   bool
-  fit (const Coordinates& positions,
-       const Coordinates& normals,
-       const Eigen::Vector3d& normal,
-       double most)
+  fit (const Coordinates& positions)
   {
     constexpr std::size_t LEAST_POINTS = 8;
-    const auto isOf = [&] (std::size_t i) {
-      return normals[i].dot (normal) > LEAST_COSINE;
-    };
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      if (isOf (i))
-        points.push_back (i);
     if (points.size() < LEAST_POINTS)
       return false;
-    plane.normal = normal;
+    std::vector<double> weights (positions.size(), 0.0);
+    for (const std::size_t i : points)
+      weights[i] = 1.0;
     Scatter scatter;
-    scatter.add (positions, 0, positions.size(), [&] (std::size_t i) {
-      return isOf (i) ? 1.0 : 0.0;
-    });
-    return scatter.fitPlane (plane) &&
-           plane.residual <= most * static_cast<double> (points.size());
+    scatter.add (
+        positions, 0, positions.size(), [&] (std::size_t i) { return weights[i]; });
+    return scatter.fitPlane (plane);
+  }
+
+  /** \brief Mean squared distance of the points. */
+  double
+  meanSquare () const
+  {
+    return plane.residual / static_cast<double> (points.size());
   }
 };
+
+/** \brief Gives points to the sheet that they are nearer to. */
+void
+partByHeight (const Coordinates& positions, Sheet& near, Sheet& far)
+{
+  const auto distance = [&] (const Sheet& sheet, std::size_t i) {
+    return std::abs (sheet.plane.normal.dot (positions[i] - sheet.plane.center));
+  };
+  std::vector<std::size_t> both = near.points;
+  both.insert (both.end(), far.points.begin(), far.points.end());
+  near.points.clear();
+  far.points.clear();
+  for (const std::size_t i : both)
+    (distance (near, i) <= distance (far, i) ? near : far).points.push_back (i);
+}
 
 /** \brief The way out of a plate, and the one along its rim. */
 struct RimFrame {
@@ -102,11 +122,15 @@ fitPlateRim (const Coordinates& positions,
   // A sample inside has its neighbours all around it.
   constexpr double LEAST_OFFSET = 0.5;
   constexpr double FARTHEST = 1.0;
-  Sheet near;
-  Sheet far;
+  Sheet near (normals, own);
+  Sheet far (normals, -own);
   // Most samples have no far one.
-  if (!far.fit (positions, normals, -own, most) ||
-      !near.fit (positions, normals, own, most))
+  if (!far.fit (positions) || !near.fit (positions))
+    return std::nullopt;
+  // Noise turns some normals over.
+  partByHeight (positions, near, far);
+  if (!far.fit (positions) || !near.fit (positions) || far.meanSquare() > most ||
+      near.meanSquare() > most)
     return std::nullopt;
   const Eigen::Vector3d& n = near.plane.normal;
   const double thickness = n.dot (near.plane.center - far.plane.center);

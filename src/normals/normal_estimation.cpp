@@ -107,6 +107,9 @@ orientSamples (const PointTree& tree,
   result.part = std::move (parts.part);
   result.trust = std::move (signs.trust);
   doubtTips (tree, fits, result.normals, workers, result.trust);
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (fits.between[i] != 0)
+      result.trust[i] = std::min (result.trust[i], A_GUESS);
   result.sides = std::move (sides.of_parts);
   for (std::size_t i = 0; i < fits.size(); ++i)
     if (result.part[i] >= 0) {

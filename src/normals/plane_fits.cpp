@@ -27,6 +27,8 @@ constexpr std::size_t MEMBERS = GROUP * LEAF_SIZE;
  * and where it may be a ball of noise as well. */
 constexpr double FLAT = 0.2;
 constexpr double ROUND = 0.45;
+/** From here on it may be two sheets that are as far apart as the window is wide. */
+constexpr double SHEETS = 0.38;
 /** By how much wider windows scatter where they show a shape, not noise. */
 constexpr double SHAPE = 1.3;
 
@@ -72,6 +74,32 @@ struct PlaneFit {
   /** as in PlaneFits; 0 for one sheet */
   double middle = 0.0;
   double kurtosis = 3.0;
+  /** by two sheets, of the variance of heights above one plane */
+  double kept = 1.0;
+
+  [[nodiscard]] bool
+  hasTwoSheets () const
+  {
+    return middle != 0.0;
+  }
+
+  /** \brief Whether the odds are less than a thousand to one that the sample is of the
+   * sheet that it is nearer to, where noise is normally distributed.
+   */
+  [[nodiscard]] bool
+  isBetweenSheets () const
+  {
+    constexpr double LEAST_LOG_ODDS = 6.9;
+    return hasTwoSheets() &&
+           2.0 * std::abs (middle * (height + middle)) < LEAST_LOG_ODDS * sigma * sigma;
+  }
+};
+
+/** \brief What one window shows. */
+struct WindowFit {
+  PlaneFit fit;
+  /** two sheets so close that one window does not tell them for certain from one */
+  std::optional<PlaneFit> likely_sheets;
 };
 
 /** Of the points of a window, how many make a sheet. */
@@ -90,6 +118,29 @@ mostOfTwoSheets (double count)
   return WIDTH * (1.0 / variance - 3.0);
 }
 
+/** \brief The most of their variance that heights keep when split between two sheets:
+ * where a window tells so by itself, and where others have to agree.
+ */
+struct MostKept {
+  double by_certain;
+  double by_likely;
+};
+
+/** \brief Heights that are spread evenly keep a quarter of their variance when split,
+ * and more than a third if they are noise, but less by chance where they are few.
+ * \param[in] count of points in the window
+ */
+MostKept
+mostKept (double count)
+{
+  // Few points are as if in clumps where faces meet, too.
+  if (count < 40.0)
+    return {0.08, 0.08};
+  if (count < 90.0)
+    return {0.11, 0.14};
+  return {0.11, count < 180.0 ? 0.2 : 0.235};
+}
+
 /** \brief Two parallel planes through offsets whose heights fall into two clumps, if
  * they do: found by turns of splitting the heights and fitting one normal to both.
  */
@@ -101,12 +152,7 @@ fitTwoSheets (const Coordinates& offsets,
 {
   constexpr int ROUNDS = 4;
   constexpr double TURNED = 0.5;
-  // Heights that are spread evenly keep a quarter of their variance when split, and
-  // more than a third if they are noise: then no better normal will make clumps of
-  // them. Few points are as if in clumps by chance, or where faces meet.
-  constexpr double FEW = 40.0;
-  constexpr double CLUMPS_OF_FEW = 0.08;
-  constexpr double CLUMPS = 0.11;
+  // Then no better normal will make clumps of them.
   constexpr double HOPELESS = 0.3;
   const double count = all.weight();
   Eigen::Vector3d normal = axes.normal;
@@ -137,8 +183,8 @@ fitTwoSheets (const Coordinates& offsets,
     if (round > 0 && within * count > HOPELESS * normal.dot (all.products() * normal))
       return std::nullopt;
   }
-  if (!(within * count <
-        (count < FEW ? CLUMPS_OF_FEW : CLUMPS) * normal.dot (all.products() * normal)))
+  const double kept = within * count / normal.dot (all.products() * normal);
+  if (!(kept < mostKept (count).by_likely))
     return std::nullopt;
   const int own = 0.0 < split ? 0 : 1;
   PlaneFit fit;
@@ -147,6 +193,7 @@ fitTwoSheets (const Coordinates& offsets,
   fit.middle = split - fit.height;
   fit.sigma = std::sqrt (within * count / std::max (1.0, count - 4.0));
   fit.roughness = fit.sigma / radius;
+  fit.kept = kept;
   return fit;
 }
 
@@ -170,26 +217,27 @@ kurtosisOf (const Coordinates& offsets,
                        : 3.0;
 }
 
-/** \brief The plane through the offsets of neighbours from a sample.
+/** \brief The plane, or two, through the offsets of neighbours from a sample.
  *
  * \param[in] offsets whose first ones are fitted
  * \param[in] size how many of them
  * \param[in] all their scatter
  * \param[in] rounding of the coordinates
  */
-PlaneFit
-fitPlane (const Coordinates& offsets,
-          std::size_t size,
-          const Scatter& all,
-          double rounding)
+WindowFit
+fitWindow (const Coordinates& offsets,
+           std::size_t size,
+           const Scatter& all,
+           double rounding)
 {
-  PlaneFit fit;
+  WindowFit window;
+  PlaneFit& fit = window.fit;
   const double count = all.weight();
   if (count < 3.0)
-    return fit;
+    return window;
   const Axes axes (all.products() / count);
   if (!axes.spanPlane (rounding))
-    return fit;
+    return window;
   fit.plain = fit.normal = axes.normal.cast<float>();
   fit.variation = axes.variances[0] / axes.variances.sum();
   fit.height = axes.normal.dot (all.center());
@@ -207,13 +255,18 @@ fitPlane (const Coordinates& offsets,
       sheets->plain = sheets->normal;
       sheets->plain_height = sheets->height;
       sheets->plain_sigma = sheets->sigma;
-      return *sheets;
+      if (sheets->kept < mostKept (count).by_certain) {
+        fit = *sheets;
+        return window;
+      }
+      sheets->kurtosis = fit.kurtosis;
+      window.likely_sheets = sheets;
     }
   }
   fit.plain_height = fit.height;
   fit.plain_sigma = fit.sigma;
   fit.radius = axes.radius();
-  return fit;
+  return window;
 }
 
 /** \brief Fits the windows of consecutive leaves. Belongs to one thread. */
@@ -231,19 +284,27 @@ public:
     // Noise is that of the place: what was not enough for the last group will not be.
     int fitted = grew_ ? 1 : 0;
     fitWindows (0, fitted, first, last);
+    std::optional<int> shape;
     while (roughness_[growth] >= FLAT && growth + 1 < GROWTHS &&
            k_ <= WIDEST >> (growth + 1)) {
       if (growth == fitted)
         fitWindows (growth + 1, ++fitted, first, last);
-      if (sigma_[growth + 1] > SHAPE * sigma_[growth] && roughness_[growth] < ROUND)
-        break;
+      if (!shape && sigma_[growth + 1] > SHAPE * sigma_[growth] &&
+          roughness_[growth] < ROUND) {
+        shape = growth;
+        if (roughness_[growth] < SHEETS)
+          break;
+      }
       ++growth;
     }
+    // Between the two it may be sheets as well, if wider windows find them.
+    if (shape && !agree_[growth])
+      growth = *shape;
     grew_ = growth > 0;
     for (std::size_t place = first; place < last; ++place) {
-      const PlaneFit& nearest = windows_[0][place - first];
-      const PlaneFit& window = windows_[growth][place - first];
-      fits_.plain[place] = nearest.plain;
+      const PlaneFit& nearest = windows_[0][place - first].fit;
+      const PlaneFit& window = windows_[growth][place - first].fit;
+      fits_.plain[place] = window.hasTwoSheets() ? window.plain : nearest.plain;
       fits_.variation[place] = static_cast<float> (nearest.variation);
       fits_.heights[place] = static_cast<float> (nearest.plain_height);
       fits_.sigmas[place] = static_cast<float> (nearest.plain_sigma);
@@ -255,7 +316,7 @@ public:
   }
 
 private:
-  using Windows = std::array<PlaneFit, MEMBERS>;
+  using Windows = std::array<WindowFit, MEMBERS>;
 
   const Eigen::Vector3f&
   position (std::size_t place) const
@@ -276,19 +337,43 @@ private:
       if (widest < SHARED || !shareWindow (widest, first, begin, end))
         fitEach (narrowest, widest, first, search->searchLeaf (begin / LEAF_SIZE));
     }
+    const std::size_t count = last - first;
     std::array<double, MEMBERS> values{};
     for (int growth = narrowest; growth <= widest; ++growth) {
+      agree_[growth] = agreeOnSheets (windows_[growth], count);
+      // Where windows agree on sheets, those that do not see them yet have to grow.
+      const std::size_t nth = (agree_[growth] ? 3 * count : count) / 4;
       const auto quartile = [&] (double PlaneFit::*value) {
-        const std::size_t count = last - first;
         for (std::size_t i = 0; i < count; ++i)
-          values[i] = windows_[growth][i].*value;
-        std::nth_element (
-            values.begin(), values.begin() + count / 4, values.begin() + count);
-        return values[count / 4];
+          values[i] = windows_[growth][i].fit.*value;
+        std::nth_element (values.begin(), values.begin() + nth, values.begin() + count);
+        return values[nth];
       };
       roughness_[growth] = quartile (&PlaneFit::roughness);
       sigma_[growth] = quartile (&PlaneFit::sigma);
     }
+  }
+
+  /** \brief Takes the likely sheets of a group where most windows have some, and too
+   * few to tell have them for certain. Returns whether that is so.
+   */
+  static bool
+  agreeOnSheets (Windows& windows, std::size_t count)
+  {
+    constexpr double MOST = 0.6;
+    std::size_t likely = 0;
+    std::size_t certain = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      certain += windows[i].fit.hasTwoSheets() ? 1 : 0;
+      likely += windows[i].likely_sheets ? 1 : 0;
+    }
+    if (static_cast<double> (certain + likely) < MOST * static_cast<double> (count) ||
+        2 * certain > count)
+      return false;
+    for (std::size_t i = 0; i < count; ++i)
+      if (windows[i].likely_sheets)
+        windows[i].fit = *windows[i].likely_sheets;
+    return true;
   }
 
   void
@@ -317,7 +402,7 @@ private:
         const std::size_t size = sizeOf (growth);
         all.add (offsets_, added, size, [] (std::size_t) { return 1.0; });
         added = size;
-        windows_[growth][place - group] = fitPlane (offsets_, size, all, rounding);
+        windows_[growth][place - group] = fitWindow (offsets_, size, all, rounding);
       }
       if (narrowest == 0 && end != begin)
         fits_.reach[place] =
@@ -336,13 +421,13 @@ private:
              growth,
              group,
              searches_[growth]->searchPoint (static_cast<std::int32_t> (middle)));
-    const PlaneFit shared = windows_[growth][middle - group];
-    if (shared.middle != 0.0)
+    const WindowFit shared = windows_[growth][middle - group];
+    if (shared.fit.hasTwoSheets() || shared.likely_sheets)
       return false;
     for (std::size_t place = begin; place < end; ++place) {
-      PlaneFit& window = windows_[growth][place - group];
+      WindowFit& window = windows_[growth][place - group];
       window = shared;
-      window.height -= shared.normal.dot (position (place) - position (middle));
+      window.fit.height -= shared.fit.normal.dot (position (place) - position (middle));
     }
     return true;
   }
@@ -358,6 +443,7 @@ private:
     fits_.normals[place] = window.normal;
     fits_.kurtosis[place] = static_cast<float> (window.kurtosis);
     fits_.middles[place] = static_cast<float> (window.middle);
+    fits_.between[place] = window.isBetweenSheets() ? 1 : 0;
     fits_.errors[place] = static_cast<float> (moves ? 0.5 * sigma : sigma);
     if (moves)
       fits_.feet[place] += static_cast<float> (window.height) * window.normal;
@@ -371,6 +457,8 @@ private:
   /** of each growth the lower quartile over the group */
   std::array<double, GROWTHS> roughness_{};
   std::array<double, GROWTHS> sigma_{};
+  /** whether its windows agree on two sheets */
+  std::array<bool, GROWTHS> agree_{};
   /** whether windows of the last group did */
   bool grew_ = false;
   Coordinates offsets_;
@@ -429,6 +517,7 @@ fitPlanes (const PointTree& tree, int k, const Workers& workers)
   fits.errors.assign (tree.size, 0.0F);
   fits.kurtosis.assign (tree.size, 3.0F);
   fits.middles.assign (tree.size, 0.0F);
+  fits.between.assign (tree.size, 0);
   fits.reach.assign (tree.size, 0.0F);
   forEachBlock (
       tree.size, workers, [&] (std::size_t, std::size_t first, std::size_t last) {

@@ -10,6 +10,7 @@
 #include "search/point_tree.h"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -23,7 +24,8 @@ struct PlaneFits {
   static constexpr int NEAREST = 12;
 
   std::vector<Eigen::Vector3f> positions;
-  /** of planes through the k nearest, of unit length, or zero where these span none */
+  /** of planes through the k nearest, of unit length, or zero where these span none;
+   * where it takes more to see two sheets, of their planes */
   std::vector<Eigen::Vector3f> plain;
   /** how high these planes are above the samples, how far their points scatter about
    * them, and how far from their middles, both standard deviations */
@@ -43,6 +45,8 @@ struct PlaneFits {
   std::vector<float> kurtosis;
   /** the height above the foot of the plane halfway to another sheet; 0 for none */
   std::vector<float> middles;
+  /** 1 where noise may have moved a sample to the other sheet */
+  std::vector<std::uint8_t> between;
   /** squared distance to the last of the NEAREST, of stray points that of what is near
    */
   std::vector<float> reach;
@@ -71,7 +75,9 @@ constexpr float MOST_UNEVEN = 16.0F;
  * 192: decided for some 64 samples together, as the noise is that of their place, and
  * no further where the residuals grow, which is then the shape of the surface and no
  * noise. Where heights fall into two clumps, which are two sheets of a thin part, each
- * sample has a plane through its own.
+ * sample has a plane through its own. Sheets less than six standard deviations of the
+ * noise apart look much like one in a single window: there most of the 64 have to
+ * agree.
  *
  * \param[in] k 3 or more
  */

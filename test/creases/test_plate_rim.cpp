@@ -93,6 +93,17 @@ TEST (PlateRim, IsWhereEachSheetEnds)
   EXPECT_GT (lower->normal.dot (Vector3d (1.0, 0.0, -1.0).normalized()), 0.99);
 }
 
+TEST (PlateRim, IsFoundWhereNoiseHasTurnedNormals)
+{
+  Samples samples = plate (1.5);
+  for (std::size_t i = 0; i < samples.normals.size(); i += 7)
+    samples.normals[i] = -samples.normals[i];
+  const auto upper = samples.fitAround ({0.0, 0.0, 0.0}, UP);
+  ASSERT_TRUE (upper);
+  EXPECT_LT (upper->foot.norm(), 0.1);
+  EXPECT_NEAR (upper->of_sheets, 0.0, 1e-12);
+}
+
 TEST (PlateRim, IsNotInsideNorOfWhatIsThick)
 {
   for (const double row : {2.0, 3.0, 4.0, 5.0})
