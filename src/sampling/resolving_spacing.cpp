@@ -108,6 +108,8 @@ wishForClumps (const std::vector<const SampleWindow*>& region, Wish& wish)
  */
 struct RegionNoise {
   std::array<double, 3> variance{};
+  /** what a cubic leaves of the smallest windows */
+  double of_cubic = 0.0;
   std::array<double, 3> correlation{};
   double kurtosis = 3.0;
 };
@@ -130,6 +132,7 @@ noiseOf (std::vector<const SampleWindow*> region)
       noise.variance[i] += part * square (window->noise[i]);
       noise.correlation[i] += part * window->covariance[i];
     }
+    noise.of_cubic += part * square (window->cubic_noise);
     variance += part * window->variance;
   }
   for (double& correlation : noise.correlation)
@@ -156,6 +159,26 @@ correlationLength (const std::array<double, 3>& correlation)
     return LAGS[i - 1] + (LAGS[i] - LAGS[i - 1]) * part;
   }
   return LAGS[2];
+}
+
+/** \brief Whether what a region has at the finest scale is its shape.
+ *
+ * What a sensor shares between neighbours it makes by averaging, which leaves no two
+ * places of opposite signs; beside a wave there is one. And a cubic follows relief that
+ * samples resolve, but no noise of their own. Smooth noise is told from that by nothing
+ * but its size.
+ */
+bool
+isRelief (const RegionNoise& noise)
+{
+  constexpr double OPPOSITE = -0.1;
+  constexpr double FOLLOWED = 0.3;
+  // In spacings.
+  constexpr double LARGEST = 0.4;
+  const bool has_waves =
+      std::min (noise.correlation[1], noise.correlation[2]) < OPPOSITE;
+  return has_waves || (noise.of_cubic < FOLLOWED * noise.variance[0] &&
+                       noise.variance[2] < square (LARGEST));
 }
 
 void
@@ -194,9 +217,10 @@ wishForNoise (const std::vector<const SampleWindow*>& region, Wish& wish)
                      stepped > 0.2 * static_cast<double> (region.size());
   // Noise that is correlated over a few spacings grows with the window, and then no
   // more; relief goes on. Relief has nothing at the finest scale either.
-  const bool like_noise =
-      middle > 1.2 * finest && widest - finest < 4.0 * (middle - finest) &&
-      correlation[0] > CORRELATED && noise.kurtosis > 1.9 && noise.kurtosis < 4.2;
+  const bool like_noise = !isRelief (noise) && middle > 1.2 * finest &&
+                          widest - finest < 4.0 * (middle - finest) &&
+                          correlation[0] > CORRELATED && noise.kurtosis > 1.9 &&
+                          noise.kurtosis < 4.2;
   wish.surely_noisy =
       sigma > MUCH && (steps || (like_noise && finest > 0.16 * widest &&
                                  correlation[2] < 0.6 * correlation[0]));

@@ -17,6 +17,25 @@ constexpr double PI = 3.14159265358979323846;
 /** Heights that differ by less, in spacings, are the same. */
 constexpr double SAME_HEIGHT = 2e-3;
 
+/** \brief What a cubic height function leaves of points in the frame of their window,
+ * standard deviation.
+ */
+double
+cubicResidual (const Eigen::Matrix3Xd& points)
+{
+  constexpr int TERMS = 10;
+  const auto u = points.row (0).array();
+  const auto v = points.row (1).array();
+  Eigen::Matrix<double, TERMS, Eigen::Dynamic> terms (TERMS, points.cols());
+  terms << Eigen::RowVectorXd::Ones (points.cols()), u, v, u * u, u * v, v * v,
+      u * u * u, u * u * v, u * v * v, v * v * v;
+  const Eigen::Matrix<double, TERMS, TERMS> products = terms * terms.transpose();
+  const Eigen::Matrix<double, TERMS, 1> heights = terms * points.row (2).transpose();
+  const Eigen::Matrix<double, TERMS, 1> cubic = products.ldlt().solve (heights);
+  return std::sqrt ((points.row (2) - cubic.transpose() * terms).squaredNorm() /
+                    (static_cast<double> (points.cols()) - TERMS));
+}
+
 /** \brief The median distance to the nearest of random samples, over their spacing. */
 double
 spacingOf (double median_squared_distance)
@@ -83,8 +102,10 @@ WindowMeasure::fitWindow (int samples, int size, SampleWindow& window)
   residuals_ = radius_ * (local_.row (2) - quadric.transpose() * terms_);
   window.noise[size] = std::sqrt (residuals_.squaredNorm() / (samples - 6.0));
   window.spacing = radius_ * std::sqrt (PI / samples);
-  if (size == 0)
+  if (size == 0) {
     window.normal = axes.eigenvectors().col (0);
+    window.cubic_noise = radius_ * cubicResidual (local_);
+  }
   return true;
 }
 

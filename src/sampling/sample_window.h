@@ -28,6 +28,8 @@ struct SampleWindow {
   double spacing = 0.0;
   /** what a quadric leaves of the heights in each window, standard deviations */
   std::array<double, 3> noise{};
+  /** what a cubic leaves of the smallest, standard deviation */
+  double cubic_noise = 0.0;
   /** the mean product of the widest window's residuals, of pairs up to 1.5, 3 and 5
    * spacings apart, and that of each with itself */
   std::array<double, 3> covariance{};

@@ -6,6 +6,7 @@
 
 #include "sampling/sample_nodes.h"
 #include "support/depth_cameras.h"
+#include "support/detailed_surfaces.h"
 #include "support/extraction.h"
 #include "support/noisy_cloud.h"
 #include "support/sensors.h"
@@ -81,6 +82,22 @@ TEST (SampleNodes, SolidsStayAsTheyAre)
       EXPECT_TRUE (resolve (*oracle::addNoise (*exact, noise * h)).isEmpty())
           << solid.name << " " << noise;
   }
+}
+
+TEST (SampleNodes, ReliefOfAFewSpacingsIsNoNoise)
+{
+  // In the residuals of quadrics it is: they grow with the window, and then no more.
+  std::vector<Eigen::Vector2d> parameters;
+  for (const double wavelength : {5.0, 6.0, 8.0}) {
+    const Cloud::Ptr exact =
+        oracle::sampleOneApart (oracle::crossingWaves (wavelength), 1, parameters);
+    const double h = oracle::meanSpacing (*exact);
+    for (const double noise : {0.0, 0.05})
+      EXPECT_TRUE (resolve (*oracle::addNoise (*exact, noise * h)).isEmpty())
+          << wavelength << " " << noise;
+  }
+  EXPECT_TRUE (resolve (*oracle::sampleOneApart (oracle::waveMixture(), 1, parameters))
+                   .isEmpty());
 }
 
 TEST (SampleNodes, ClumpsBecomeTheirPlaces)
