@@ -66,10 +66,13 @@ struct ScaleProfiles {
 void
 describe (const ScaleFit& fit, double height, CrestProfile& profile)
 {
-  if (!profile.curvature.valid)
-    profile.noise = static_cast<float> (fit.noise);
-  profile.curvature = {
+  const PrincipalCurvature curvature{
       static_cast<float> (fit.k1), static_cast<float> (fit.k2), fit.t1, true};
+  if (!profile.curvature.valid) {
+    profile.noise = static_cast<float> (fit.noise);
+    profile.finest = {curvature, static_cast<float> (fit.k1_error)};
+  }
+  profile.curvature = curvature;
   profile.normal = fit.normal;
   profile.height = static_cast<float> (height);
   profile.radius = static_cast<float> (fit.radius);
@@ -297,6 +300,23 @@ profileCrests (const OrientedPoints& points,
       readAll (true);
   }
   return profiles;
+}
+
+PrincipalCurvature
+surfaceCurvature (const CrestProfile& profile, float spacing)
+{
+  // In spacings.
+  constexpr float LITTLE_NOISE = 0.15F;
+  constexpr float CERTAIN_Z = 8.0F;
+  constexpr float CONTRADICTING_Z = 3.0F;
+  const FinestCurvature& finest = profile.finest;
+  const float k1 = std::abs (finest.curvature.k1);
+  const float bias = std::abs (finest.curvature.k1 - profile.curvature.k1);
+  // Where the profile is of the finest scale, its direction is the blended one.
+  const bool is_better =
+      finest.curvature.valid && bias > 0.0F && profile.noise < LITTLE_NOISE * spacing &&
+      (k1 > CERTAIN_Z * finest.k1_error || bias > CONTRADICTING_Z * finest.k1_error);
+  return is_better ? finest.curvature : profile.curvature;
 }
 
 double

@@ -13,12 +13,21 @@ namespace crest {
 /** The nodes of a fit at the finest scale. */
 constexpr int FINEST_SCALE_NODES = 28;
 
+/** \brief The curvature of a sample at the finest scale, beside that of its profile. */
+struct FinestCurvature {
+  PrincipalCurvature curvature{0.0F, 0.0F, Eigen::Vector3f::Zero(), false};
+  /** standard error of k1 */
+  float k1_error = 0.0F;
+};
+
 /** \brief The curvature profile of a sample: how k1 runs along t1, at the smallest
  * scale at which it is significantly not constant. Thresholds that users set come after
  * it.
  */
 struct CrestProfile {
   PrincipalCurvature curvature{0.0F, 0.0F, Eigen::Vector3f::Zero(), false};
+  /** not valid for what is at a sharp edge */
+  FinestCurvature finest;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** height of the surface over the sample, along the normal, in the cloud's unit */
   float height = 0.0F;
@@ -65,6 +74,18 @@ std::vector<CrestProfile>
 profileCrests (const OrientedPoints& points,
                const SurfaceGraph& graph,
                const Workers& workers);
+
+/** \brief The curvature of the surface at a sample, for those who ask for it rather
+ * than for crests: wide windows smooth away what is narrower than they are.
+ *
+ * It is that of the profile, unless samples have little noise and the finest scale
+ * either tells k1 to an eighth of it or contradicts the profile by three standard
+ * errors (the bias of a wide window against the error of a narrow one: Lepskii 1990).
+ *
+ * \param[in] spacing of the samples
+ */
+PrincipalCurvature
+surfaceCurvature (const CrestProfile& profile, float spacing);
 
 /** \brief How far the surface turns across a crest of sharpness q, in degrees, at most
  * 180: the angle between the normals where the profile's curvature has dropped off,

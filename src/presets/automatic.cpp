@@ -215,8 +215,9 @@ public:
     beginStage (progress, "curvature", CURVED);
     shape->profiles =
         profileSharpCrests (points, shape->graph, shape->sharp_lines, workers);
-    for (const CrestProfile& profile : shape->profiles)
-      shape->curvature.push_back (profile.curvature);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      shape->curvature.push_back (
+          surfaceCurvature (shape->profiles[i], shape->graph.spacing[i]));
     watch.stageDone ("curvature");
     return shape;
   }
