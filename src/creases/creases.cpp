@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "creases/crossing_planes.h"
 #include "creases/plate_rim.h"
+#include "creases/quartic_residual.h"
 #include "creases/two_planes.h"
 #include "curvature/cubic_residuals.h"
 #include "curvature/pyramid.h"
@@ -143,6 +144,8 @@ public:
     }
     if (best.type == CrestType::NONE)
       best = fitCrossing (smooth);
+    else if (neighbors_.size() >= NOISE_WINDOW && isSpread (in_noise_window_))
+      best.roundness = static_cast<float> (roundnessOf (best.normal.cast<double>()));
     return best.type != CrestType::NONE ? best : fitRim();
   }
 
@@ -280,9 +283,29 @@ private:
       return;
     smallest_ratio_ = noisy_ratio;
     best = creaseAlong (*line, normal, planes_.convex(), count, of_planes, of_smooth);
-    if (count > NOISE_WINDOW && isSpread (in_noise_window_))
-      best.roundness =
-          static_cast<float> (of_planes / (of_noise_window_ + LEAST_NOISE));
+    best_window_ = count;
+    of_best_planes_ = of_planes;
+  }
+
+  /** \brief What the planes of the best crease leave, as a part of what a smooth
+   * surface does: of a quartic where samples have little noise, which follows what is
+   * as narrow as the smallest windows, else of a cubic, which is right for larger ones
+   * alone.
+   */
+  double
+  roundnessOf (const Vector3d& normal) const
+  {
+    // In squared spacings.
+    constexpr double LITTLE_NOISE = 0.002;
+    // Where samples are on a few lines, or on levels, a quartic goes through all of
+    // them.
+    constexpr double MOST = 2.5;
+    const double of_quartic = quarticResidual (positions_, normal);
+    if (of_quartic < LITTLE_NOISE)
+      return std::min (MOST, of_best_planes_ / (of_quartic + LEAST_NOISE));
+    return best_window_ > NOISE_WINDOW
+               ? of_best_planes_ / (of_noise_window_ + LEAST_NOISE)
+               : 0.0;
   }
 
   /** \brief The crease where two planes meet whatever the signs of normals, in the
@@ -423,6 +446,9 @@ private:
    * smallest ratio so far */
   double of_noise_window_ = 0.0;
   double smallest_ratio_ = 1.0;
+  /** of the best crease so far its window, and what its planes leave */
+  std::size_t best_window_ = 0;
+  double of_best_planes_ = 0.0;
   /** positions, as far as there are as many */
   Scatter in_noise_window_;
 };
