@@ -76,6 +76,11 @@ optionsOf (const InputCloud& cloud)
     text += " -format " + options.format;
   if (!options.columns.empty())
     text += " -columns " + boost::join (options.columns, ",");
+  const char* separator = " -class ";
+  for (const std::uint8_t code : options.classes) {
+    text += separator + std::to_string (code);
+    separator = ",";
+  }
   if (!options.samples_faces)
     text += " -sample off";
   else if (options.sample_spacing > 0.0)

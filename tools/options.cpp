@@ -179,6 +179,14 @@ addReadingOptions (Options& options, ReadOptions& reading)
                : "x, y, z and perhaps nx, ny, nz, r, g, b, intensity, once each, or - "
                  "for other columns, as in x,y,z,-,nx,ny,nz";
   };
+  const auto takeClasses = [&reading] (const std::string& text) {
+    std::vector<std::string> words;
+    boost::split (words, text, boost::is_any_of (","));
+    for (const std::string& word : words)
+      if (!takeNumber (word, reading.classes.emplace_back()).empty())
+        return std::string ("whole numbers from 0 to 255, as in 2 or 2,6");
+    return std::string();
+  };
   NormalOptions& normals = reading.normals;
   const auto takeDirection = [&normals] (const std::string& text) {
     Eigen::Vector3d taken = Eigen::Vector3d::Zero();
@@ -214,6 +222,9 @@ addReadingOptions (Options& options, ReadOptions& reading)
       value ("NAMES", takeColumns),
       "what the columns of text are, as in x,y,z,-,nx,ny,nz,intensity\nor r,g,b; - for "
       "any other (default: told by names or values)") (
+      "-class",
+      value ("CODES", takeClasses),
+      "of LAS, the classes of points to read, as in 2 or 2,6\n(default: all)") (
       "-sample",
       value ("SPACING|off", takeSampling),
       "samples of faces in place of vertices: how far apart, in the\nunit of the file, "

@@ -116,7 +116,8 @@ usage (const Options& options);
 void
 addEstimationOptions (Options& options, Parameters& parameters);
 
-/** \brief Adds -format and -columns, which tell how to read a file, -sample, which
+/** \brief Adds -format and -columns, which tell how to read a file, -class, which tells
+ * what of it, -sample, which
  * tells whether its faces are sampled, -estimate_normals, which has normals estimated
  * whatever the file has, and what their side may be decided by, -viewpoint and -up.
  */

@@ -9,6 +9,7 @@
 #include "meshes/faces.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,7 +47,7 @@ checkFaces (const FileContent& content);
 
 // The readers, one for each format, take the whole content of a file and throw
 // ReadError where it is not of their format. That of text takes
-// ReadOptions::columns, too.
+// ReadOptions::columns, too, and that of LAS ReadOptions::classes.
 
 FileContent
 readPcd (const std::string& text);
@@ -62,6 +63,8 @@ FileContent
 readVtk (const std::string& text);
 FileContent
 readPtx (const std::string& text);
+FileContent
+readLas (const std::string& text, const std::vector<std::uint8_t>& classes);
 FileContent
 readXyz (const std::string& text, const std::vector<std::string>& columns);
 

@@ -6,6 +6,7 @@
 #include "io/gzip.h"
 #include "io/output_file.h"
 #include "io/text_columns.h"
+#include "io/unread_formats.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -36,6 +37,12 @@ readTextOf (const Source& source)
   return readXyz (source.text, source.options.columns);
 }
 
+FileContent
+readLasOf (const Source& source)
+{
+  return readLas (source.text, source.options.classes);
+}
+
 constexpr Format FORMATS[] = {
     {"pcd", [] (const Source& source) { return readPcd (source.text); }},
     {"ply", [] (const Source& source) { return readPly (source.text); }},
@@ -43,6 +50,7 @@ constexpr Format FORMATS[] = {
     {"off", [] (const Source& source) { return readOff (source.text); }},
     {"stl", [] (const Source& source) { return readStl (source.text); }},
     {"vtk", [] (const Source& source) { return readVtk (source.text); }},
+    {"las", readLasOf},
     {"xyz", readTextOf},
     {"txt", readTextOf},
     {"csv", readTextOf},
@@ -106,6 +114,9 @@ readContent (const std::string& file, const ReadOptions& options)
     text = unpackGzip (text);
   if (text.empty())
     throw ReadError ("it is empty");
+  const std::string unread = explainUnread (file, extension, text);
+  if (!unread.empty())
+    throw ReadError (unread);
   const Format* const format =
       formatOf (!options.format.empty() || extension.empty() ? options.format
                                                              : extension.substr (1));
@@ -115,6 +126,9 @@ readContent (const std::string& file, const ReadOptions& options)
   if (!options.columns.empty() && format->read != readTextOf)
     throw ReadError ("it is no text whose columns -columns could tell: " +
                      std::string (format->name) + " files name them");
+  if (!options.classes.empty() && format->read != readLasOf)
+    throw ReadError ("it has no classes that -class could pick: LAS files have, but " +
+                     std::string (format->name) + " files do not");
   FileContent content = format->read ({text, options});
   if (content.points.size() == 0)
     throw ReadError ("it has no points");

@@ -278,6 +278,9 @@ TEST (CommandLine, IsReadBackAsItWas)
     EXPECT_EQ (read.radius, p.radius);
     EXPECT_EQ (read.wanted.ridge, p.wanted.ridge);
   }
+  InputCloud cloud;
+  cloud.options.classes = {2, 255};
+  EXPECT_EQ (" -class 2,255", optionsOf (cloud));
   EXPECT_EQ (quoted ("a/b-1.pcd"), "a/b-1.pcd");
   EXPECT_EQ (quoted ("it's"), "'it'\\''s'");
 }

@@ -449,6 +449,9 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
   expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");
   expectUsageError ({in, out, "-columns", "x,y,z,x"}, "as in x,y,z,-,nx,ny,nz");
+  for (const char* const classes : {"ground", "256", "2,,6", "-2", "2,6,"})
+    expectUsageError ({in, out, "-class", classes},
+                      "must be whole numbers from 0 to 255, as in 2 or 2,6");
   for (const char* const spacing : {"0", "-1", "inf", "on"})
     expectUsageError ({in, out, "-sample", spacing},
                       "must be a number above 0, or off");
@@ -466,6 +469,9 @@ TEST_F (LineTool, InputsThatCannotBeRead)
   for (const auto& [file, message] : std::vector<std::array<std::string, 2>>{
            {directory_.file ("lost.pcd"), "there is no such file"},
            {bad, ":4: expected 3 coordinates, found 2"},
+           {directory_.file ("a.las", "LASF"),
+            "byte 4: the file ends within its header"},
+           {directory_.file ("a.laz", "x"), "it is a LAZ file, whose points are"},
            {directory_.file ("a.doc", "x"), "none of .pcd"}}) {
     const Outcome result =
         run ({file, outputs_.file ("o.pcd"), "-stats", outputs_.file ("s.json")});

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,6 +107,8 @@ struct ReadOptions {
    * intensity, each once at most, or - for any that is to be passed over; empty: told
    * by a line of names, else by the values */
   std::vector<std::string> columns;
+  /** of LAS, which classes of points are read, as 2 for ground; empty: all */
+  std::vector<std::uint8_t> classes;
   NormalOptions normals;
   /** whether faces are sampled where their vertices tell too little of them */
   bool samples_faces = true;
@@ -164,8 +167,8 @@ explainInvalid (const ReadOptions& options);
  * else estimated from k neighbours and made consistent over the cloud.
  *
  * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, PTX, VTK
- * (legacy polydata and unstructured grids), or text with a point a line (XYZ, TXT, CSV,
- * ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points are
+ * (legacy polydata and unstructured grids), LAS, or text with a point a line (XYZ, TXT,
+ * CSV, ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points are
  * those of the file in its order; STL files list the corners of triangles, of which
  * equal ones become one point.
  *

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where LAS files have what: ASPRS, LAS Specification 1.4 - R15, which describes the
+// versions before as well. All numbers are little-endian, all places in bytes.
+#pragma once
+
+#include "io/number_type.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace crest {
+namespace las {
+
+/** \brief Places in the header, which is the start of the file. */
+enum HeaderByte : std::size_t {
+  VERSION_MAJOR = 24,
+  VERSION_MINOR = 25,
+  HEADER_SIZE = 94,
+  FIRST_POINT = 96,
+  RECORDS = 100,
+  POINT_FORMAT = 104,
+  POINT_SIZE = 105,
+  LEGACY_POINTS = 107,
+  SCALES = 131,
+  OFFSETS = 155,
+  POINTS = 247
+};
+
+/** \brief The sizes of the headers of versions up to 1.2, of 1.3 and of 1.4. */
+constexpr std::array<std::size_t, 3> HEADER_SIZES{227, 235, 375};
+
+/** \brief A variable length record: a head, whose places these are, and its data. */
+enum RecordByte : std::size_t { USER = 2, RECORD_ID = 18, DATA_SIZE = 20, DATA = 54 };
+constexpr std::size_t USER_SIZE = 16;
+constexpr char SPECIFICATION[] = "LASF_Spec";
+/** the record that describes numbers behind those of the point format */
+constexpr unsigned EXTRA_BYTES = 4;
+
+/** \brief Places in the description of one of these numbers, and its size. */
+enum ExtraByte : std::size_t {
+  EXTRA_TYPE = 2,
+  EXTRA_OPTIONS = 3,
+  EXTRA_NAME = 4,
+  EXTRA_SCALE = 112,
+  EXTRA_OFFSET = 136,
+  EXTRA_SIZE = 192
+};
+constexpr std::size_t EXTRA_NAME_SIZE = 32;
+/** bits of the options: the value is scale * number + offset */
+constexpr unsigned HAS_SCALE = 8;
+constexpr unsigned HAS_OFFSET = 16;
+
+/** \brief The types of these numbers by their codes from 1 on; above them there are
+ * those of two and three, which the specification has given up.
+ */
+constexpr std::array<NumberType, 10> EXTRA_TYPES{NumberType::UINT8,
+                                                 NumberType::INT8,
+                                                 NumberType::UINT16,
+                                                 NumberType::INT16,
+                                                 NumberType::UINT32,
+                                                 NumberType::INT32,
+                                                 NumberType::UINT64,
+                                                 NumberType::INT64,
+                                                 NumberType::FLOAT32,
+                                                 NumberType::FLOAT64};
+
+/** \brief What a point of each format takes at least. */
+constexpr std::array<std::size_t, 11> POINT_SIZES{
+    20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+
+/** \brief Whether a format has more than 8 returns, and classes above 31. */
+constexpr bool
+isWide (unsigned format)
+{
+  return format >= 6;
+}
+
+/** \brief Where points have their class, and which of its bits. */
+constexpr std::size_t
+classByte (unsigned format)
+{
+  return isWide (format) ? 16 : 15;
+}
+
+constexpr unsigned
+classMask (unsigned format)
+{
+  return isWide (format) ? 0xFF : 0x1F;
+}
+
+/** \brief Where points have red, green and blue, two bytes each; nothing where they
+ * have none.
+ */
+constexpr std::optional<std::size_t>
+colorByte (unsigned format)
+{
+  constexpr std::size_t NONE = 0;
+  constexpr std::array<std::size_t, 11> PLACES{
+      NONE, NONE, 20, 28, NONE, 28, NONE, 30, 30, NONE, 30};
+  return PLACES[format] == NONE ? std::nullopt : std::optional (PLACES[format]);
+}
+
+} // namespace las
+} // namespace crest
+} // namespace pcl
