@@ -44,7 +44,7 @@ checkOutputs (const Files& files, std::string& error)
     std::string file;
     std::vector<std::string> extensions;
   };
-  const std::vector<Output> outputs{{files.output, {".pcd"}},
+  const std::vector<Output> outputs{{files.output, labelExtensions()},
                                     {files.lines, lineExtensions()},
                                     {files.statistics, {".json"}},
                                     {files.curvatures, {".pcd"}}};
@@ -173,7 +173,7 @@ run (const Files& files, const Parameters& parameters, bool quiet)
   };
   if (!written (
           writeLabels (
-              files.output, *cloud.points, labels, curvatures, error, cloud.placement),
+              files.output, cloud, labels, curvatures, estimation.getLines(), error),
           files.output))
     return fail (PROGRAM, EXIT_FILE, error);
   if (!files.lines.empty() && !written (writeLines (files.lines,
@@ -225,14 +225,16 @@ main (int argc, char** argv)
   addQuestions (options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
-        << "Usage: pcl_crest_line_estimation INPUT OUTPUT.pcd [options]\n\n"
+        << "Usage: pcl_crest_line_estimation INPUT OUTPUT [options]\n\n"
            "Extracts crest lines, that is ridges and valleys, from a point cloud.\n"
            "INPUT is a file of one of the formats that -format lists, packed by gzip\n"
            "or not; its normals are used, else those of its faces, else they are\n"
            "estimated.\n"
-           "OUTPUT.pcd gets each point with its normal, its largest principal\n"
-           "curvature and its label: 0 none, 1 ridge, 2 valley, 3 and 4 joined to\n"
-           "a ridge or valley line by growth, 5 invalid point, 6 boundary point.\n\n"
+           "OUTPUT, a .pcd, .ply or .las file, gets each point with its normal, its\n"
+           "largest principal curvature, the line through it with its strength, what\n"
+           "else INPUT has of it, and its label: 0 none, 1 ridge, 2 valley, 3 and 4\n"
+           "joined to a ridge or valley line by growth, 5 invalid point, 6 boundary\n"
+           "point.\n\n"
         << usage (options);
     return EXIT_DONE;
   }
@@ -242,8 +244,8 @@ main (int argc, char** argv)
   }
 
   Arguments arguments;
-  std::string error = takeArguments (
-      argc, argv, {"INPUT", "OUTPUT.pcd"}, options, parameters, arguments);
+  std::string error =
+      takeArguments (argc, argv, {"INPUT", "OUTPUT"}, options, parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
   files.input = arguments.files[0];

@@ -42,11 +42,11 @@ exportSession (const CrestSession& session,
       " -lines " + quoted (lines_file) + " -stats " + quoted (statistics_file) +
       optionsOf (cloud) + optionsOf (session.getParameters()) + "\n";
   return writeLabels (labels_file,
-                      *cloud.points,
+                      cloud,
                       labels,
                       session.getCurvatures(),
-                      error,
-                      cloud.placement) &&
+                      session.getLines(),
+                      error) &&
          writeLines (lines_file,
                      session.getLineCloud(),
                      session.getLines(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_colors.h"
 
+#include "io/crest_colors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,27 +12,6 @@ namespace crest {
 namespace {
 
 constexpr CrestScene::Color GREY{217, 217, 217};
-
-CrestScene::Color
-colorOfLabel (std::uint32_t label)
-{
-  switch (label) {
-  case LABEL_RIDGE:
-    return {70, 110, 240};
-  case LABEL_VALLEY:
-    return {240, 80, 70};
-  case LABEL_RIDGE_GROWN:
-    return {165, 190, 250};
-  case LABEL_VALLEY_GROWN:
-    return {250, 185, 175};
-  case LABEL_INVALID:
-    return {90, 90, 90};
-  case LABEL_BOUNDARY:
-    return {240, 190, 40};
-  default:
-    return GREY;
-  }
-}
 
 /** \brief What 95 of 100 absolute values stay below. */
 double

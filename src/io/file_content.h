@@ -24,7 +24,12 @@ struct FileContent {
   bool has_normals = false;
   /** whether the file has the positions as floats, so that more digits are lost */
   bool has_floats = false;
+  /** as Placement has them */
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   std::vector<std::array<unsigned char, 3>> colors;
+  /** what else each point has */
+  FileFields fields;
   Faces faces;
   /** of points that are organized, how many rows they have */
   std::size_t rows = 1;

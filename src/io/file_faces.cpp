@@ -122,6 +122,7 @@ replaceBySamples (PlacedContent& content, const ReadOptions& options, unsigned t
   content.placement.no_data = 0;
   content.has_normals = true;
   content.colors.clear();
+  content.fields = {};
   content.notes.insert (content.notes.end(), mesh.notes.begin(), mesh.notes.end());
   content.notes.push_back (
       std::to_string (mesh.faces.size()) + " faces were sampled evenly, " +

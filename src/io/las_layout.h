@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -16,8 +15,11 @@ namespace las {
 
 /** \brief Places in the header, which is the start of the file. */
 enum HeaderByte : std::size_t {
+  GLOBAL_ENCODING = 6,
   VERSION_MAJOR = 24,
   VERSION_MINOR = 25,
+  SYSTEM = 26,
+  SOFTWARE = 58,
   HEADER_SIZE = 94,
   FIRST_POINT = 96,
   RECORDS = 100,
@@ -26,7 +28,10 @@ enum HeaderByte : std::size_t {
   LEGACY_POINTS = 107,
   SCALES = 131,
   OFFSETS = 155,
-  POINTS = 247
+  /** for each axis the most and the least coordinate */
+  EXTENT = 179,
+  POINTS = 247,
+  POINTS_BY_RETURN = 255
 };
 
 /** \brief The sizes of the headers of versions up to 1.2, of 1.3 and of 1.4. */
@@ -71,6 +76,28 @@ constexpr std::array<NumberType, 10> EXTRA_TYPES{NumberType::UINT8,
 constexpr std::array<std::size_t, 11> POINT_SIZES{
     20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
+/** \brief A number of the points of a format, beside positions and extra bytes. */
+struct Dimension {
+  const char* name;
+  NumberType type;
+  /** bytes of a point before it */
+  std::size_t byte;
+  /** of a number that is some bits of a byte, how many are below it, and which it has
+   */
+  unsigned shift = 0;
+  unsigned mask = 0;
+};
+
+/** \brief The unit of the scan angle in degrees from format 6 on, where it is an INT16;
+ * up to 5 it is 1, of an INT8. As a dimension it is in degrees, the only FLOAT32.
+ */
+constexpr double WIDE_ANGLE = 0.006;
+
+/** \brief The numbers of the points of a format, by the names that laspy has for them.
+ */
+std::vector<Dimension>
+dimensionsOf (unsigned format);
+
 /** \brief Whether a format has more than 8 returns, and classes above 31. */
 constexpr bool
 isWide (unsigned format)
@@ -89,18 +116,6 @@ constexpr unsigned
 classMask (unsigned format)
 {
   return isWide (format) ? 0xFF : 0x1F;
-}
-
-/** \brief Where points have red, green and blue, two bytes each; nothing where they
- * have none.
- */
-constexpr std::optional<std::size_t>
-colorByte (unsigned format)
-{
-  constexpr std::size_t NONE = 0;
-  constexpr std::array<std::size_t, 11> PLACES{
-      NONE, NONE, 20, 28, NONE, 28, NONE, 30, 30, NONE, 30};
-  return PLACES[format] == NONE ? std::nullopt : std::optional (PLACES[format]);
 }
 
 } // namespace las

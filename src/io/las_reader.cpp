@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LAS 1.0 to 1.4, all point formats: positions, colors, and normals where these are
-// among the extra bytes.
+// LAS 1.0 to 1.4, all point formats: positions, and normals where these are among the
+// extra bytes. All other numbers of points pass through, but for those of waveforms.
 #include <boost/algorithm/string/join.hpp>
 
 #include "io/file_content.h"
+#include "io/file_fields.h"
 #include "io/las_layout.h"
 #include "io/point_field.h"
 
@@ -32,8 +33,10 @@ struct LasHeader {
 struct ExtraNumber {
   std::string name;
   NumberType type = NumberType::NONE;
+  std::size_t count = 1;
   /** bytes of a point before it */
   std::size_t byte = 0;
+  bool is_scaled = false;
   double scale = 1.0;
   double offset = 0.0;
 };
@@ -54,6 +57,7 @@ public:
     if (classes.empty())
       is_wanted_.fill (true);
     readHeader();
+    dimensions_ = las::dimensionsOf (header_.format);
     readRecords();
   }
 
@@ -61,14 +65,30 @@ public:
   read ()
   {
     choose();
-    std::array<std::optional<ExtraNumber>, 3> normal;
+    content_.step = header_.scale;
+    content_.origin = header_.offset;
+    std::array<const ExtraNumber*, 3> normal{};
     for (const ExtraNumber& number : extra_) {
       const std::size_t axis =
           placeOf (pointFieldOf (number.name)) - placeOf (PointField::NX);
-      if (axis < normal.size() && !normal[axis])
-        normal[axis] = number;
+      if (axis < normal.size() && number.count == 1 && normal[axis] == nullptr)
+        normal[axis] = &number;
     }
-    content_.has_normals = normal[0] && normal[1] && normal[2];
+    content_.has_normals =
+        normal[0] != nullptr && normal[1] != nullptr && normal[2] != nullptr;
+    for (const las::Dimension& dimension : dimensions_)
+      addField (content_.fields, dimension.name, dimension.type);
+    std::vector<const ExtraNumber*> passing;
+    for (const ExtraNumber& number : extra_)
+      if (!content_.has_normals ||
+          std::find (normal.begin(), normal.end(), &number) == normal.end()) {
+        passing.push_back (&number);
+        addField (content_.fields,
+                  number.name,
+                  number.is_scaled ? NumberType::FLOAT64 : number.type,
+                  number.count);
+      }
+    content_.fields.records.reserve (chosen_ * content_.fields.record_size);
     content_.points.reserve (chosen_);
     for (std::size_t i = 0; i < header_.points; ++i) {
       const char* const point = pointAt (i);
@@ -84,6 +104,7 @@ public:
           values[3 + place] = valueOf (*normal[place], point);
       }
       content_.points.add (values.data(), content_.has_normals);
+      pass (point, passing, addRecord (content_.fields));
     }
     readColors();
     return std::move (content_);
@@ -229,21 +250,71 @@ private:
       ExtraNumber number;
       number.name = nameAt (byte + las::EXTRA_NAME, las::EXTRA_NAME_SIZE);
       number.byte = in_point;
-      if (code != 0)
-        number.type = las::EXTRA_TYPES[(code - 1) % TYPES];
-      if ((options & las::HAS_SCALE) != 0)
-        number.scale = at<double> (byte + las::EXTRA_SCALE);
-      if ((options & las::HAS_OFFSET) != 0)
-        number.offset = at<double> (byte + las::EXTRA_OFFSET);
-      in_point += code == 0 ? options : sizeOf (number.type) * (1 + (code - 1) / TYPES);
+      // Bytes that mean nothing to the specification, as many as the options say.
+      number.type =
+          code == 0 ? NumberType::UINT8 : las::EXTRA_TYPES[(code - 1) % TYPES];
+      number.count = code == 0 ? options : 1 + (code - 1) / TYPES;
+      if (number.count == 1 && code != 0) {
+        if ((options & las::HAS_SCALE) != 0)
+          number.scale = at<double> (byte + las::EXTRA_SCALE);
+        if ((options & las::HAS_OFFSET) != 0)
+          number.offset = at<double> (byte + las::EXTRA_OFFSET);
+        number.is_scaled = (options & (las::HAS_SCALE | las::HAS_OFFSET)) != 0;
+      }
+      in_point += sizeOf (number.type) * number.count;
       if (in_point > header_.point_size)
         failAt (byte,
                 "the extra bytes \"" + TextScanner::shown (number.name) +
                     "\" end behind the " + std::to_string (header_.point_size) +
                     " bytes of a point");
-      if (code >= 1 && code <= TYPES)
-        extra_.push_back (std::move (number));
+      extra_.push_back (std::move (number));
     }
+  }
+
+  /** \brief Writes what passes through of a point.
+   * \param[in] passing the extra bytes among it
+   * \param[out] to a record
+   */
+  void
+  pass (const char* point,
+        const std::vector<const ExtraNumber*>& passing,
+        char* to) const
+  {
+    const auto put = [&to] (auto number) {
+      std::memcpy (to, &number, sizeof (number));
+      to += sizeof (number);
+    };
+    for (const las::Dimension& dimension : dimensions_) {
+      const char* const from = point + dimension.byte;
+      if (dimension.mask != 0)
+        put (static_cast<std::uint8_t> (
+            (static_cast<unsigned char> (*from) >> dimension.shift) & dimension.mask));
+      else if (dimension.type != NumberType::FLOAT32)
+        to = copyNumbers (from, sizeOf (dimension.type), 1, to);
+      else if (las::isWide (header_.format))
+        put (static_cast<float> (las::WIDE_ANGLE *
+                                 decodeAs<std::int16_t> (from, false)));
+      else
+        put (static_cast<float> (decodeAs<std::int8_t> (from, false)));
+    }
+    for (const ExtraNumber* const number : passing)
+      if (number->is_scaled)
+        put (valueOf (*number, point));
+      else
+        to = copyNumbers (
+            point + number->byte, sizeOf (number->type), number->count, to);
+  }
+
+  /** \brief Copies numbers in the machine's byte order; where the next one belongs. */
+  static char*
+  copyNumbers (const char* from, std::size_t size, std::size_t count, char* to)
+  {
+    for (std::size_t i = 0; i < count; ++i, from += size, to += size)
+      if (HOST_IS_BIG_ENDIAN)
+        std::reverse_copy (from, from + size, to);
+      else
+        std::memcpy (to, from, size);
+    return to;
   }
 
   const char*
@@ -301,11 +372,14 @@ private:
   void
   readColors ()
   {
-    const std::optional<std::size_t> byte = las::colorByte (header_.format);
-    if (!byte)
+    const auto red = std::find_if (
+        dimensions_.begin(), dimensions_.end(), [] (const las::Dimension& dimension) {
+          return dimension.name == std::string_view ("red");
+        });
+    if (red == dimensions_.end())
       return;
-    const auto channel = [byte] (const char* point, std::size_t i) {
-      return decodeAs<std::uint16_t> (point + *byte + 2 * i, false);
+    const auto channel = [byte = red->byte] (const char* point, std::size_t i) {
+      return decodeAs<std::uint16_t> (point + byte + 2 * i, false);
     };
     // Up to 65535, but many programs leave them at 255.
     std::uint16_t largest = 0;
@@ -330,6 +404,7 @@ private:
   std::array<bool, 256> is_wanted_{};
   std::size_t header_size_ = 0;
   LasHeader header_;
+  std::vector<las::Dimension> dimensions_;
   std::vector<ExtraNumber> extra_;
   std::size_t chosen_ = 0;
   FileContent content_;

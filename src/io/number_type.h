@@ -48,6 +48,44 @@ sizeOf (NumberType type)
   return 0;
 }
 
+/** \brief The type by the letter that PCD files have for it, I, U or F, and by its size
+ * in bytes; NONE if there is none.
+ */
+inline NumberType
+numberTypeOf (char letter, std::size_t size)
+{
+  constexpr NumberType SIGNED[] = {
+      NumberType::INT8, NumberType::INT16, NumberType::INT32, NumberType::INT64};
+  constexpr NumberType UNSIGNED[] = {
+      NumberType::UINT8, NumberType::UINT16, NumberType::UINT32, NumberType::UINT64};
+  const std::size_t place = size == 1 ? 0 : size == 2 ? 1 : size == 4 ? 2 : 3;
+  if (letter == 'I')
+    return SIGNED[place];
+  if (letter == 'U')
+    return UNSIGNED[place];
+  if (letter == 'F' && size >= 4)
+    return size == 4 ? NumberType::FLOAT32 : NumberType::FLOAT64;
+  return NumberType::NONE;
+}
+
+/** \brief The letter that PCD files have for a type. */
+inline char
+letterOf (NumberType type)
+{
+  switch (type) {
+  case NumberType::INT8:
+  case NumberType::INT16:
+  case NumberType::INT32:
+  case NumberType::INT64:
+    return 'I';
+  case NumberType::FLOAT32:
+  case NumberType::FLOAT64:
+    return 'F';
+  default:
+    return 'U';
+  }
+}
+
 constexpr bool HOST_IS_BIG_ENDIAN = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 /** \brief The value of a number in a file, in the byte order of the file. */

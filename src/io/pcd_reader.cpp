@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PCD, text, binary and compressed: x y z, normals, colors and the viewpoint; all else
-// that a file may declare is passed over. pcl::PCDReader is not used because it makes
-// room for as many points as the header announces, makes up what is missing in text,
-// and refuses fields without numbers, which drivers of lidars write between others.
-// What is compressed PCL's LZF unpacks.
+// PCD, text, binary and compressed: x y z, normals and the viewpoint; all else that a
+// file may declare passes through. pcl::PCDReader is not used because it makes room for
+// as many points as the header announces, makes up what is missing in text, and refuses
+// fields without numbers, which drivers of lidars write between others. What is
+// compressed PCL's LZF unpacks.
 #include "io/file_content.h"
+#include "io/file_fields.h"
 #include "io/load_pcd_module.h"
 #include "io/number_type.h"
 #include "io/point_field.h"
@@ -154,25 +155,8 @@ readHeader (TextScanner& scanner)
   return header;
 }
 
-NumberType
-typeOf (char type, std::size_t size)
-{
-  constexpr NumberType SIGNED[] = {
-      NumberType::INT8, NumberType::INT16, NumberType::INT32, NumberType::INT64};
-  constexpr NumberType UNSIGNED[] = {
-      NumberType::UINT8, NumberType::UINT16, NumberType::UINT32, NumberType::UINT64};
-  const std::size_t place = size == 1 ? 0 : size == 2 ? 1 : size == 4 ? 2 : 3;
-  if (type == 'I')
-    return SIGNED[place];
-  if (type == 'U')
-    return UNSIGNED[place];
-  if (type == 'F' && size >= 4)
-    return size == 4 ? NumberType::FLOAT32 : NumberType::FLOAT64;
-  return NumberType::NONE;
-}
-
-/** \brief A field that is kept. */
-struct KeptField {
+/** \brief Where a field is in the points of a file. */
+struct PlacedField {
   NumberType type = NumberType::NONE;
   /** numbers of a point before it */
   std::size_t word = 0;
@@ -188,17 +172,19 @@ public:
   explicit PcdPoints (const PcdHeader& header) : header_ (header)
   {
     std::string present;
-    KeptField next;
+    PlacedField next;
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
       const std::string& name = header.fields[i];
       present += (present.empty() ? "" : " ") + name;
-      next.type = typeOf (header.types[i], header.sizes[i]);
+      next.type = numberTypeOf (header.types[i], header.sizes[i]);
       next.size = header.sizes[i] * header.counts[i];
       const PointField field = pointFieldOf (name);
       // A name of "_" stands for bytes that mean nothing.
       if (header.counts[i] != 0 && next.type != NumberType::NONE) {
         if (field < PointField::RED && !fields_[placeOf (field)])
           fields_[placeOf (field)] = next;
+        else if (name != "_")
+          addPassing (name, header.counts[i], next);
         if ((name == "rgb" || name == "rgba" || name == "RGB" || name == "RGBA") &&
             header.sizes[i] == 4)
           color_ = next;
@@ -210,6 +196,10 @@ public:
       throw ReadError ("it has the fields \"" + present +
                        "\", but x, y and z are needed");
     content_.has_normals = fields_[3] && fields_[4] && fields_[5];
+    constexpr const char* NORMAL[] = {"normal_x", "normal_y", "normal_z"};
+    for (std::size_t i = 3; i < fields_.size() && !content_.has_normals; ++i)
+      if (fields_[i])
+        addPassing (NORMAL[i - 3], 1, *fields_[i]);
     numbers_ = content_.has_normals ? 6 : 3;
   }
 
@@ -218,6 +208,7 @@ public:
   makeRoom ()
   {
     content_.points.reserve (header_.points);
+    content_.fields.records.reserve (header_.points * content_.fields.record_size);
     if (color_)
       content_.colors.reserve (header_.points);
   }
@@ -246,6 +237,13 @@ public:
         color = static_cast<std::uint32_t> (number);
     }
     add (values, color);
+    char* record = addRecord (content_.fields);
+    for (std::size_t i = 0; i < passing_.size(); ++i) {
+      const PlacedField& from = passing_[i];
+      const std::size_t count = content_.fields.fields[i].count;
+      for (std::size_t j = 0; j < count; ++j, record += sizeOf (from.type))
+        encodeWord (words[from.word + j], from.type, record);
+    }
   }
 
   /** \brief Adds all points of binary data.
@@ -257,7 +255,7 @@ public:
     const std::uint64_t step = header_.pointSize();
     content_.has_floats = fields_[0]->type == NumberType::FLOAT32;
     // Of the field at an offset, that of the point i.
-    const auto at = [&] (const KeptField& field, std::size_t i) {
+    const auto at = [&] (const PlacedField& field, std::size_t i) {
       return by_field ? data + field.offset * header_.points + i * field.size
                       : data + i * step + field.offset;
     };
@@ -267,6 +265,7 @@ public:
         values[j] = decode (at (*fields_[j], i), fields_[j]->type, false);
       add (values, color_ ? decodeAs<std::uint32_t> (at (*color_, i), false) : 0);
     }
+    passRecords (at, by_field);
   }
 
   FileContent
@@ -281,6 +280,38 @@ public:
 
 private:
   void
+  addPassing (const std::string& name, std::size_t count, const PlacedField& field)
+  {
+    addField (content_.fields, name, field.type, count);
+    passing_.push_back (field);
+  }
+
+  /** \brief Copies the fields that pass through, neighbours of a point at once.
+   * \param[in] at of a field and the number of a point its first byte
+   * \param[in] by_field whether neighbours of a point are not so in the data
+   */
+  template <typename At>
+  void
+  passRecords (const At& at, bool by_field)
+  {
+    std::vector<PlacedField> runs;
+    for (const PlacedField& field : passing_)
+      if (!by_field && !runs.empty() &&
+          field.offset == runs.back().offset + runs.back().size)
+        runs.back().size += field.size;
+      else
+        runs.push_back (field);
+    FileFields& fields = content_.fields;
+    fields.records.resize (header_.points * fields.record_size);
+    char* to = fields.records.data();
+    for (std::size_t i = 0; i < header_.points; ++i)
+      for (const PlacedField& run : runs) {
+        std::memcpy (to, at (run, i), run.size);
+        to += run.size;
+      }
+  }
+
+  void
   add (const std::array<double, 6>& values, std::uint32_t color)
   {
     content_.points.add (values.data(), content_.has_normals);
@@ -291,8 +322,10 @@ private:
   }
 
   const PcdHeader& header_;
-  std::array<std::optional<KeptField>, 6> fields_;
-  std::optional<KeptField> color_;
+  std::array<std::optional<PlacedField>, 6> fields_;
+  std::optional<PlacedField> color_;
+  /** where content_.fields are in the file */
+  std::vector<PlacedField> passing_;
   std::size_t numbers_ = 3;
   std::vector<double> words_;
   FileContent content_;

@@ -145,9 +145,13 @@ setApart (const Points& positions, const Bulk& bulk, Placement& placement)
   }
 }
 
-/** \brief Along an axis near the middle of the bulk, or 0 where floats do without. */
+/** \brief Along an axis near the middle of the bulk, or 0 where floats do without.
+ *
+ * \param[in] resolution how far apart coordinates are, which floats have to tell if an
+ * offset lets them; 0 where that is not known
+ */
 double
-offsetAlong (const Bulk& bulk, int axis)
+offsetAlong (const Bulk& bulk, int axis, double resolution)
 {
   // A surface of n points has a spacing of about its width by the root of n, of which
   // the steps between floats may be a thousandth.
@@ -155,20 +159,26 @@ offsetAlong (const Bulk& bulk, int axis)
   constexpr double NEAR = 4.0;
   const double farthest =
       std::max (std::abs (bulk.min[axis]), std::abs (bulk.max[axis]));
-  const double step = farthest * std::numeric_limits<float>::epsilon();
+  const double between = std::numeric_limits<float>::epsilon();
+  const double step = farthest * between;
   const double width = bulk.width();
-  if (!(width > 0.0) || farthest <= NEAR * width ||
-      step * std::sqrt (static_cast<double> (bulk.counts[axis])) <= FINEST * width)
+  const bool resolves = step > resolution && width * between <= resolution;
+  if (!(width > 0.0) ||
+      (!resolves &&
+       (farthest <= NEAR * width ||
+        step * std::sqrt (static_cast<double> (bulk.counts[axis])) <= FINEST * width)))
     return 0.0;
   // A float, so that the origin of the file has its place in the cloud exactly.
   const double middle = bulk.min[axis] + 0.5 * (bulk.max[axis] - bulk.min[axis]);
   return std::round (static_cast<double> (static_cast<float> (middle))) + 0.0;
 }
 
-/** \param[in] positions their size and each by its index */
+/** \param[in] positions their size and each by its index
+ * \param[in] resolution of their coordinates, as offsetAlong has it
+ */
 template <typename Points>
 Placement
-findPlacement (const Points& positions)
+findPlacement (const Points& positions, const Eigen::Vector3d& resolution)
 {
   const auto isFinite = [&positions] (std::size_t i, int axis) {
     return std::isfinite (positions[i][axis]);
@@ -194,7 +204,7 @@ findPlacement (const Points& positions)
     });
   }
   for (int axis = 0; axis < 3; ++axis)
-    placement.offset[axis] = offsetAlong (bulk, axis);
+    placement.offset[axis] = offsetAlong (bulk, axis, resolution[axis]);
   return placement;
 }
 
@@ -283,7 +293,7 @@ Placement
 placePoints (const std::vector<Eigen::Vector3d>& positions,
              pcl::PointCloud<pcl::PointNormal>& points)
 {
-  Placement placement = findPlacement (positions);
+  Placement placement = findPlacement (positions, Eigen::Vector3d::Zero());
   if (points.size() != positions.size())
     points.resize (positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -300,7 +310,9 @@ PlacedContent
 placeContent (FileContent content)
 {
   PlacedContent placed;
-  placed.placement = findPlacement (content.points);
+  placed.placement = findPlacement (content.points, content.step.cwiseAbs());
+  placed.placement.step = content.step;
+  placed.placement.origin = content.origin;
   placed.points = content.points.place (placed.placement);
   pcl::PointCloud<pcl::PointNormal>& points = *placed.points;
   takeOut (placed.placement, points);
@@ -314,6 +326,7 @@ placeContent (FileContent content)
       points.sensor_origin_.head<3>() = placed.placement.toCloud (*content.viewpoint);
   }
   placed.colors = std::move (content.colors);
+  placed.fields = std::move (content.fields);
   placed.faces = std::move (content.faces);
   placed.viewpoint = content.viewpoint;
   placed.notes = std::move (content.notes);

@@ -21,6 +21,7 @@ struct PlacedContent {
   Placement placement;
   bool has_normals = false;
   std::vector<std::array<unsigned char, 3>> colors;
+  FileFields fields;
   Faces faces;
   /** as the file has it */
   std::optional<Eigen::Vector3d> viewpoint;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PLY, text and binary of either byte order: x y z, normals, colors and faces; all else
-// that a file may declare is passed over. pcl::PLYReader is not used because it makes
-// room for as many points as the header announces before it looks whether they are
-// there.
+// PLY, text and binary of either byte order: x y z, normals and faces; all other
+// numbers of vertices pass through, but for lists. pcl::PLYReader is not used because
+// it makes room for as many points as the header announces before it looks whether they
+// are there.
 #include "io/file_content.h"
+#include "io/file_fields.h"
 #include "io/number_type.h"
 #include "io/point_field.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace pcl {
 namespace crest {
@@ -179,16 +182,24 @@ private:
       throw ReadError ("its vertices need the properties x, y and z");
     content_.has_normals = found[3] && found[4] && found[5];
     const bool has_colors = found[6] && found[7] && found[8];
+    const std::vector<bool> passes = passProperties (element, place);
     content_.points.reserve (content_.points.size() + element.count);
+    content_.fields.records.reserve (element.count * content_.fields.record_size);
     for (std::size_t i = 0; i < element.count; ++i) {
       double values[KEPT_FIELDS] = {};
+      char* record = addRecord (content_.fields);
       for (std::size_t j = 0; j < place.size(); ++j) {
-        if (element.properties[j].count_type != NumberType::NONE)
+        const NumberType type = element.properties[j].type;
+        if (element.properties[j].count_type != NumberType::NONE) {
           skipList (element.properties[j]);
-        else {
-          const double value = readNumber (element.properties[j].type);
-          if (place[j] < KEPT_FIELDS)
-            values[place[j]] = value;
+          continue;
+        }
+        const std::string_view number = nextNumber (type);
+        if (place[j] < KEPT_FIELDS)
+          values[place[j]] = valueOf (number, type);
+        if (passes[j]) {
+          passNumber (number, type, record);
+          record += sizeOf (type);
         }
       }
       content_.points.add (values, content_.has_normals);
@@ -196,6 +207,42 @@ private:
         content_.colors.push_back (
             {colorOf (values[6]), colorOf (values[7]), colorOf (values[8])});
     }
+  }
+
+  /** \brief Makes a field of each property that is no list, position or normal.
+   * \param[in] place what the properties are
+   * \return for each whether it passes through
+   */
+  std::vector<bool>
+  passProperties (const Element& element, const std::vector<std::size_t>& place)
+  {
+    std::vector<bool> passes (place.size(), false);
+    const std::size_t used =
+        placeOf (content_.has_normals ? PointField::RED : PointField::NX);
+    if (content_.points.size() != 0)
+      throw ReadError ("its header has the element \"vertex\" twice");
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const Property& property = element.properties[i];
+      if (property.count_type != NumberType::NONE)
+        content_.notes.push_back ("The list " + TextScanner::shown (property.name) +
+                                  " of the vertices is left out.");
+      else if (place[i] >= used) {
+        addField (content_.fields, property.name, property.type);
+        passes[i] = true;
+      }
+    }
+    return passes;
+  }
+
+  void
+  passNumber (std::string_view number, NumberType type, char* bytes) const
+  {
+    if (text_)
+      encodeWord (number, type, bytes);
+    else if (big_endian_ == HOST_IS_BIG_ENDIAN)
+      std::memcpy (bytes, number.data(), number.size());
+    else
+      std::reverse_copy (number.begin(), number.end(), bytes);
   }
 
   /** \brief Text may hold any number, whatever its type. */
@@ -261,13 +308,24 @@ private:
     return value;
   }
 
+  /** \brief The word or the bytes of the next number. */
+  std::string_view
+  nextNumber (NumberType type)
+  {
+    return text_ ? scanner_.nextWord() : scanner_.bytes (sizeOf (type), "a number");
+  }
+
+  double
+  valueOf (std::string_view number, NumberType type) const
+  {
+    return text_ ? scanner_.number<double> (number, "a number")
+                 : decode (number.data(), type, big_endian_);
+  }
+
   double
   readNumber (NumberType type)
   {
-    if (text_)
-      return scanner_.number<double> (scanner_.nextWord(), "a number");
-    return decode (
-        scanner_.bytes (sizeOf (type), "a number").data(), type, big_endian_);
+    return valueOf (nextNumber (type), type);
   }
 
   TextScanner scanner_;

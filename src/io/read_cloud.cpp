@@ -215,6 +215,7 @@ readCloud (const std::string& file,
              options,
              std::move (estimate),
              std::move (content.colors),
+             std::move (content.fields),
              std::move (content.notes),
              std::move (times)};
     return true;

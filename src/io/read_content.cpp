@@ -3,6 +3,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include "io/file_fields.h"
 #include "io/gzip.h"
 #include "io/output_file.h"
 #include "io/text_columns.h"
@@ -133,6 +134,9 @@ readContent (const std::string& file, const ReadOptions& options)
   if (content.points.size() == 0)
     throw ReadError ("it has no points");
   checkPointCount (content.points.size());
+  const std::string renamed = renameFields (content.fields);
+  if (!renamed.empty())
+    content.notes.push_back (renamed);
   return content;
 }
 

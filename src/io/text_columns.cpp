@@ -219,6 +219,8 @@ columnsGiven (const std::vector<std::string>& names)
   for (const std::string& name : names) {
     const PointField field = pointFieldOf (name);
     result.columns.push_back ({field, isKept (field)});
+    if (field == PointField::INTENSITY)
+      result.columns.back().passes_as = name;
   }
   return result;
 }
@@ -239,6 +241,8 @@ columnsByName (const TextHead& head,
     const PointField field = pointFieldOf (names[i]);
     ambiguous = ambiguous || (isKept (field) && result.has (field));
     result.columns.push_back ({field, isKept (field) || isNumeric (rows, dialect, i)});
+    if (!isKept (field) && result.columns.back().is_number)
+      result.columns.back().passes_as = std::string (names[i]);
   }
   if (!ambiguous && names.size() == width && result.has (PointField::X) &&
       result.has (PointField::Y) && result.has (PointField::Z)) {

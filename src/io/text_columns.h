@@ -19,6 +19,8 @@ struct TextColumn {
   PointField field = PointField::NONE;
   /** whether every word of it has to be a number */
   bool is_number = true;
+  /** of the field that passes through; empty if none does */
+  std::string passes_as{};
 };
 
 /** \brief The columns of a text cloud, and how they were found. */

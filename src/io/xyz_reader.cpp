@@ -3,10 +3,13 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include "io/file_content.h"
+#include "io/file_fields.h"
 #include "io/text_columns.h"
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -81,6 +84,15 @@ private:
                             columns_.has (PointField::GREEN) &&
                             columns_.has (PointField::BLUE);
     note();
+    if (has_colors)
+      addColorFields (content_.fields);
+    for (const TextColumn& column : columns_.columns)
+      if (!column.passes_as.empty())
+        // PCL has intensities as floats.
+        addField (content_.fields,
+                  column.passes_as,
+                  column.field == PointField::INTENSITY ? NumberType::FLOAT32
+                                                        : NumberType::FLOAT64);
     // No row is shorter than "0 0 0" and the end of the line before it.
     const std::size_t most =
         1 + std::min<std::size_t> (rows_.remaining() / 6,
@@ -102,7 +114,7 @@ private:
         end_of_cloud += *more;
         continue;
       }
-      readRow();
+      readRow (addRecord (content_.fields) + (has_colors ? COLOR_SIZE : 0));
       content_.points.add (values_.data(), content_.has_normals);
       if (has_colors)
         colors.push_back ({static_cast<float> (values_[placeOf (PointField::RED)]),
@@ -131,8 +143,9 @@ private:
       content_.notes.push_back (note + ".");
   }
 
+  /** \param[out] record where numbers that pass through belong */
   void
-  readRow ()
+  readRow (char* record)
   {
     splitRow (rows_.row(), dialect_.separator, words_);
     const std::size_t width = columns_.columns.size();
@@ -145,13 +158,30 @@ private:
                   std::to_string (words_.size()));
     for (std::size_t i = 0; i < width; ++i) {
       const TextColumn& column = columns_.columns[i];
-      if (!column.is_number || (words_[i].empty() && !isKept (column.field)))
+      if (!column.is_number)
         continue;
       double& value = values_[std::min (placeOf (column.field), KEPT_FIELDS)];
-      if (!parseNumber (words_[i], dialect_, value))
+      if (words_[i].empty() && !isKept (column.field))
+        value = std::numeric_limits<double>::quiet_NaN();
+      else if (!parseNumber (words_[i], dialect_, value))
         rows_.fail ("expected a number in column " + std::to_string (i + 1) +
                     ", found \"" + TextScanner::shown (words_[i]) + "\"");
+      if (!column.passes_as.empty())
+        record = pass (value, column.field, record);
     }
+  }
+
+  /** \brief Writes a number that passes through; where the next one belongs. */
+  static char*
+  pass (double value, PointField field, char* record)
+  {
+    if (field != PointField::INTENSITY) {
+      std::memcpy (record, &value, sizeof (value));
+      return record + sizeof (value);
+    }
+    const auto intensity = static_cast<float> (value);
+    std::memcpy (record, &intensity, sizeof (intensity));
+    return record + sizeof (intensity);
   }
 
   void
@@ -170,9 +200,15 @@ private:
         bytes[i] =
             static_cast<unsigned char> (scaled > 0.0 ? std::min (scaled, 255.0) : 0.0);
       }
+      std::memcpy (content_.fields.records.data() +
+                       content_.colors.size() * content_.fields.record_size,
+                   bytes.data(),
+                   COLOR_SIZE);
       content_.colors.push_back (bytes);
     }
   }
+
+  static constexpr std::size_t COLOR_SIZE = 3;
 
   const std::string& text_;
   RowScanner rows_;

@@ -13,6 +13,7 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "io/crest_colors.h"
 #include "visualization/surface_splats.h"
 
 #include <algorithm>
@@ -29,8 +30,6 @@ constexpr double LINE_WIDTH = 2.5;
 constexpr double GREY = 0.85;
 constexpr double DOT_GREY = 0.6;
 constexpr double GREEN[] = {0.0, 0.45, 0.2};
-constexpr unsigned char BLUE[] = {10, 40, 220};
-constexpr unsigned char RED[] = {220, 15, 15};
 
 /** One light from the upper left, as on maps and in drawings, so that relief shows when
  * it is looked at from straight above; and one from the camera, so that no side is
@@ -121,7 +120,7 @@ makeLinePolyData (const pcl::PointCloud<pcl::PointNormal>& cloud,
         next = std::copy_n (cloud[index].data, 3, next);
         cells->InsertCellPoint (place++);
       }
-      colors->InsertNextTypedTuple (line.type == CrestType::RIDGE ? BLUE : RED);
+      colors->InsertNextTypedTuple (colorOf (line.type).data());
     }
   vtkNew<vtkPoints> points;
   points->SetData (coordinates);

@@ -116,6 +116,15 @@ protected:
     return {cloud_[i].x, cloud_[i].y, cloud_[i].z};
   }
 
+  /** \brief The cloud as one that was read. */
+  InputCloud
+  input () const
+  {
+    InputCloud input;
+    input.points.reset (new pcl::PointCloud<pcl::PointNormal> (cloud_));
+    return input;
+  }
+
   std::vector<FileLine>
   expected () const
   {
@@ -311,7 +320,7 @@ TEST_F (IoWriters, LabelsAsPcd)
   cloud_.sensor_orientation_ = Eigen::Quaternionf (0.5F, 0.5F, -0.5F, 0.5F);
   std::string error;
   const std::string file = directory_.file ("a.pcd");
-  ASSERT_TRUE (writeLabels (file, cloud_, labels, curvatures, error)) << error;
+  ASSERT_TRUE (writeLabels (file, input(), labels, curvatures, {}, error)) << error;
   pcl::PointCloud<pcl::PointXYZLNormal> read;
   ASSERT_EQ (0, pcl::io::loadPCDFile (file, read));
   EXPECT_EQ (8U, read.width);
@@ -320,7 +329,7 @@ TEST_F (IoWriters, LabelsAsPcd)
   EXPECT_EQ (cloud_.sensor_orientation_.coeffs(), read.sensor_orientation_.coeffs());
   pcl::PCLPointCloud2 fields;
   pcl::io::loadPCDFile (file, fields);
-  EXPECT_EQ ("x y z normal_x normal_y normal_z curvature label",
+  EXPECT_EQ ("x y z normal_x normal_y normal_z curvature label line strength",
              pcl::getFieldsList (fields));
   for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_EQ (cloud_[i].getVector3fMap(), read[i].getVector3fMap());
@@ -510,7 +519,11 @@ TEST_F (IoWriters, WhatCannotBeWrittenIsNamed)
   std::string error;
   EXPECT_FALSE (checkWritable (lost, error));
   EXPECT_EQ (lost + ": it cannot be written: No such file or directory", error);
-  EXPECT_FALSE (writeLabels (lost, {}, {}, {}, error));
+  pcl::PointCloud<pcl::Label> labels;
+  pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
+  labels.resize (cloud_.size());
+  curvatures.resize (cloud_.size());
+  EXPECT_FALSE (writeLabels (lost, input(), labels, curvatures, {}, error));
   EXPECT_EQ (lost + ": it cannot be written: No such file or directory", error);
   EXPECT_FALSE (checkWritable (directory, error));
   EXPECT_EQ (directory + ": it cannot be written: it is a directory", error);

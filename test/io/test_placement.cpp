@@ -444,11 +444,11 @@ TEST_F (Placed, EveryPointIsWrittenToThePrecisionOfTheFile)
   for (const bool labels : {true, false}) {
     const std::string file = directory_.file ("o.pcd");
     ASSERT_TRUE (labels ? writeLabels (file,
-                                       *cloud.points,
+                                       cloud,
                                        lines.labels,
                                        lines.estimation.getPrincipalCurvatures(),
-                                       error,
-                                       cloud.placement)
+                                       lines.estimation.getLines(),
+                                       error)
                         : writeCurvatures (file,
                                            *cloud.points,
                                            lines.estimation.getPrincipalCurvatures(),
@@ -485,11 +485,11 @@ TEST_F (Placed, FilesNearTheOriginHaveFloats)
   std::string error;
   const std::string file = directory_.file ("o.pcd");
   ASSERT_TRUE (writeLabels (file,
-                            *cloud.points,
+                            cloud,
                             lines.labels,
                             lines.estimation.getPrincipalCurvatures(),
-                            error,
-                            cloud.placement))
+                            lines.estimation.getLines(),
+                            error))
       << error;
   pcl::PointCloud<pcl::PointXYZL> written;
   ASSERT_EQ (0, pcl::io::loadPCDFile (file, written));
@@ -588,8 +588,7 @@ TEST_F (Placed, ViewpointsAreInTheCoordinatesOfTheFile)
     pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
     curvatures.resize (roof.size());
     std::string error;
-    ASSERT_TRUE (writeLabels (
-        file, *read_cloud.points, labels, curvatures, error, read_cloud.placement))
+    ASSERT_TRUE (writeLabels (file, read_cloud, labels, curvatures, {}, error))
         << error;
     EXPECT_NE (std::string::npos, oracle::contentOf (file).find (viewpoint));
   }

@@ -444,7 +444,7 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-type", "creases"}, "ridges, valleys or both");
   expectUsageError ({in, out, "-threads", "-1"}, "not negative");
   expectUsageError ({in, out, "-threads", "99999"}, "at most");
-  expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd");
+  expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd, .ply or .las");
   expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")}, ".obj, .ply or .vtk");
   expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
   expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,12 +46,31 @@ struct Placement {
   std::vector<PointApart> apart;
   /** how many of these have a number that stands for no data */
   std::size_t no_data = 0;
+  /** of files whose coordinates are whole numbers of steps away from an origin, as
+   * those of LAS, these; else 0 */
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
   /** \brief Where a place of the cloud is in the file. */
   Eigen::Vector3d
   toFile (const Eigen::Vector3f& place) const
   {
     return place.cast<double>() + offset;
+  }
+
+  /** \brief Where a point of the cloud is in the file: as toFile, but exactly on the
+   * steps.
+   */
+  Eigen::Vector3d
+  pointToFile (const Eigen::Vector3f& point) const
+  {
+    Eigen::Vector3d place = toFile (point);
+    for (int axis = 0; axis < 3; ++axis)
+      if (step[axis] != 0.0)
+        place[axis] =
+            step[axis] * std::round ((place[axis] - origin[axis]) / step[axis]) +
+            origin[axis];
+    return place;
   }
 
   /** \brief Where a place of the file is in the cloud. */
@@ -84,6 +104,32 @@ struct Placement {
 PCL_CREST_EXPORT Placement
 placePoints (const std::vector<Eigen::Vector3d>& positions,
              pcl::PointCloud<pcl::PointNormal>& points);
+
+/** \brief What a file has of its points beside positions and normals, colors among it:
+ * it passes through to the labelled points (see writeLabels).
+ */
+struct FileFields {
+  /** \brief A number of each point, or several of one type. */
+  struct Field {
+    /** that of the file, but with "input_" before it where labelled points have their
+     * own of this name */
+    std::string name;
+    /** as in PCD files: I for whole numbers, U for those that are not negative, F */
+    char type = 'F';
+    /** bytes of a number: 1, 2, 4 or 8 */
+    std::size_t size = 4;
+    /** numbers of a point */
+    std::size_t count = 1;
+    /** bytes of a record before it */
+    std::size_t offset = 0;
+  };
+
+  std::vector<Field> fields;
+  /** bytes of a point */
+  std::size_t record_size = 0;
+  /** those of all points in their order, in the machine's byte order */
+  std::vector<char> records;
+};
 
 /** \brief Where the normals of a cloud come from. */
 enum class NormalSource { FILE, FACES, ESTIMATED };
@@ -141,9 +187,11 @@ struct InputCloud {
   ReadOptions options;
   /** what is known of normals that were estimated; else null */
   std::shared_ptr<const NormalEstimate> estimate;
-  /** of each point red, green and blue up to 255, where a PCD, PLY or text file has
-   * them and its points are these; else empty */
+  /** of each point red, green and blue up to 255, where a PCD, PLY, LAS or text file
+   * has them and its points are these; else empty */
   std::vector<std::array<unsigned char, 3>> colors;
+  /** of files whose points are these, but for OBJ, OFF, STL, PTX and VTK */
+  FileFields fields;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
   /** what reading the file and seeing to the normals took */
@@ -168,8 +216,8 @@ explainInvalid (const ReadOptions& options);
  *
  * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, PTX, VTK
  * (legacy polydata and unstructured grids), LAS, or text with a point a line (XYZ, TXT,
- * CSV, ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points are
- * those of the file in its order; STL files list the corners of triangles, of which
+ * CSV, ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points
+ * are those of the file in its order; STL files list the corners of triangles, of which
  * equal ones become one point.
  *
  * Coordinates are read as doubles. Where floats are too coarse for them, an offset is

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/file_fields.h"
+
+#include <boost/algorithm/string/join.hpp>
+
+#include "io/parse_number.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <type_traits>
+
+namespace pcl {
+namespace crest {
+
+namespace {
+
+/** \brief What labelled points have of their own in any of their formats. */
+const std::set<std::string>&
+ownNames ()
+{
+  static const std::set<std::string> names{"x",
+                                           "y",
+                                           "z",
+                                           "normal_x",
+                                           "normal_y",
+                                           "normal_z",
+                                           "nx",
+                                           "ny",
+                                           "nz",
+                                           "curvature",
+                                           "label",
+                                           "line",
+                                           "strength"};
+  return names;
+}
+
+template <typename T>
+bool
+encodeWordAs (std::string_view word, char* bytes)
+{
+  T number{};
+  if (!parseNumber (word, number)) {
+    double value = 0.0;
+    if (!parseNumber (word, value))
+      return false;
+    if constexpr (std::is_integral_v<T>) {
+      constexpr auto LEAST = static_cast<double> (std::numeric_limits<T>::lowest());
+      constexpr auto MOST = static_cast<double> (std::numeric_limits<T>::max());
+      if (value >= MOST)
+        number = std::numeric_limits<T>::max();
+      else if (value <= LEAST)
+        number = std::numeric_limits<T>::lowest();
+      else if (!std::isnan (value))
+        number = static_cast<T> (value);
+    }
+  }
+  std::memcpy (bytes, &number, sizeof (T));
+  return true;
+}
+
+} // namespace
+
+NumberType
+typeOf (const FileFields::Field& field)
+{
+  return numberTypeOf (field.type, field.size);
+}
+
+void
+addField (FileFields& fields,
+          const std::string& name,
+          NumberType type,
+          std::size_t count)
+{
+  if (type == NumberType::NONE || count == 0)
+    return;
+  FileFields::Field field;
+  field.name = name.empty() ? "_" : name;
+  std::replace_if (
+      field.name.begin(),
+      field.name.end(),
+      [] (unsigned char c) { return std::isgraph (c) == 0; },
+      '_');
+  field.type = letterOf (type);
+  field.size = sizeOf (type);
+  field.count = count;
+  field.offset = fields.record_size;
+  fields.record_size += field.size * count;
+  fields.fields.push_back (std::move (field));
+}
+
+bool
+encodeWord (std::string_view word, NumberType type, char* bytes)
+{
+  switch (type) {
+  case NumberType::INT8:
+    return encodeWordAs<std::int8_t> (word, bytes);
+  case NumberType::UINT8:
+    return encodeWordAs<std::uint8_t> (word, bytes);
+  case NumberType::INT16:
+    return encodeWordAs<std::int16_t> (word, bytes);
+  case NumberType::UINT16:
+    return encodeWordAs<std::uint16_t> (word, bytes);
+  case NumberType::INT32:
+    return encodeWordAs<std::int32_t> (word, bytes);
+  case NumberType::UINT32:
+    return encodeWordAs<std::uint32_t> (word, bytes);
+  case NumberType::INT64:
+    return encodeWordAs<std::int64_t> (word, bytes);
+  case NumberType::UINT64:
+    return encodeWordAs<std::uint64_t> (word, bytes);
+  case NumberType::FLOAT32:
+    return encodeWordAs<float> (word, bytes);
+  case NumberType::FLOAT64:
+    return encodeWordAs<double> (word, bytes);
+  case NumberType::NONE:
+    break;
+  }
+  return false;
+}
+
+void
+addColorFields (FileFields& fields)
+{
+  for (const char* const name : {"red", "green", "blue"})
+    addField (fields, name, NumberType::UINT8);
+}
+
+std::string
+renameFields (FileFields& fields)
+{
+  std::set<std::string> taken = ownNames();
+  for (const FileFields::Field& field : fields.fields)
+    taken.insert (field.name);
+  std::set<std::string> seen = ownNames();
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+  for (FileFields::Field& field : fields.fields) {
+    if (seen.insert (field.name).second)
+      continue;
+    before.push_back (field.name);
+    std::string name = "input_" + field.name;
+    while (!taken.insert (name).second)
+      name = "input_" + name;
+    field.name = name;
+    seen.insert (name);
+    after.push_back (field.name);
+  }
+  if (before.empty())
+    return {};
+  const bool one = before.size() == 1;
+  return "The " + std::string (one ? "field " : "fields ") +
+         boost::join (before, ", ") + " of the file " + (one ? "is" : "are") +
+         " written as " + boost::join (after, ", ") +
+         ": labelled points have their own of " + (one ? "this name." : "these names.");
+}
+
+} // namespace crest
+} // namespace pcl
