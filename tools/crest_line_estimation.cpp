@@ -52,24 +52,26 @@ checkOutputs (const Files& files, std::string& error)
   for (const Output& output : outputs) {
     if (output.file.empty())
       continue;
-    const auto same = [&output] (const std::string& other) {
-      namespace fs = std::filesystem;
-      std::error_code ignored;
-      return fs::equivalent (other, output.file, ignored) ||
-             fs::weakly_canonical (fs::absolute (other), ignored) ==
-                 fs::weakly_canonical (fs::absolute (output.file), ignored);
-    };
-    if (std::any_of (taken.begin(), taken.end(), same)) {
-      error =
-          output.file + " is named twice: inputs and outputs must be different files";
-      return EXIT_USAGE;
+    for (const std::string& file : lineFiles (output.file)) {
+      const auto same = [&file] (const std::string& other) {
+        namespace fs = std::filesystem;
+        std::error_code ignored;
+        return fs::equivalent (other, file, ignored) ||
+               fs::weakly_canonical (fs::absolute (other), ignored) ==
+                   fs::weakly_canonical (fs::absolute (file), ignored);
+      };
+      if (std::any_of (taken.begin(), taken.end(), same)) {
+        error = file + " is named twice: inputs and outputs must be different files";
+        return EXIT_USAGE;
+      }
+      taken.push_back (file);
     }
-    taken.push_back (output.file);
     if (!hasExtension (output.file, output.extensions, error))
       return EXIT_USAGE;
   }
-  for (const Output& output : outputs)
-    if (!output.file.empty() && !checkWritable (output.file, error))
+  taken.erase (taken.begin());
+  for (const std::string& file : taken)
+    if (!checkWritable (file, error))
       return EXIT_FILE;
   return EXIT_DONE;
 }
@@ -176,13 +178,16 @@ run (const Files& files, const Parameters& parameters, bool quiet)
               files.output, cloud, labels, curvatures, estimation.getLines(), error),
           files.output))
     return fail (PROGRAM, EXIT_FILE, error);
-  if (!files.lines.empty() && !written (writeLines (files.lines,
-                                                    *estimation.getLineCloud(),
-                                                    estimation.getLines(),
-                                                    error,
-                                                    cloud.placement),
-                                        files.lines))
-    return fail (PROGRAM, EXIT_FILE, error);
+  if (!files.lines.empty()) {
+    const bool done = writeLines (files.lines,
+                                  *estimation.getLineCloud(),
+                                  estimation.getLines(),
+                                  error,
+                                  cloud.placement);
+    for (const std::string& file : lineFiles (files.lines))
+      if (!written (done, file))
+        return fail (PROGRAM, EXIT_FILE, error);
+  }
   if (!files.curvatures.empty() &&
       !written (
           writeCurvatures (
@@ -208,13 +213,13 @@ main (int argc, char** argv)
   Files files;
   bool quiet = false;
   bool asked = false;
-  Options options;
-  addEstimationOptions (options, parameters);
-  addReadingOptions (options, files.reading);
-  auto add = options.add_options();
+  std::vector<OptionGroup> groups{
+      {"Output", {}}, {"Input", {}}, {"Crest lines", {}}, {"Questions", {}}};
+  auto add = groups[0].options.add_options();
   add ("-lines",
        fileName ("FILE", files.lines),
-       "write the lines as .obj, .ply or .vtk");
+       "write the lines as .obj (with an .mtl), .ply, .vtk, .vtp,\n.dxf, .geojson or "
+       ".csv");
   add ("-stats",
        fileName ("FILE.json", files.statistics),
        "write counts, sizes and lengths of lines, and times");
@@ -222,7 +227,9 @@ main (int argc, char** argv)
        fileName ("FILE.pcd", files.curvatures),
        "write principal curvatures and directions");
   add ("-quiet", flag (quiet), "print errors only, and no progress on a terminal");
-  addQuestions (options, asked);
+  addReadingOptions (groups[1].options, files.reading);
+  addEstimationOptions (groups[2].options, parameters);
+  addQuestions (groups[3].options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_line_estimation INPUT OUTPUT [options]\n\n"
@@ -235,7 +242,7 @@ main (int argc, char** argv)
            "else INPUT has of it, and its label: 0 none, 1 ridge, 2 valley, 3 and 4\n"
            "joined to a ridge or valley line by growth, 5 invalid point, 6 boundary\n"
            "point.\n\n"
-        << usage (options);
+        << usage (groups);
     return EXIT_DONE;
   }
   if (wantsVersion (argc, argv)) {
@@ -244,8 +251,8 @@ main (int argc, char** argv)
   }
 
   Arguments arguments;
-  std::string error =
-      takeArguments (argc, argv, {"INPUT", "OUTPUT"}, options, parameters, arguments);
+  std::string error = takeArguments (
+      argc, argv, {"INPUT", "OUTPUT"}, allOptions (groups), parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
   files.input = arguments.files[0];

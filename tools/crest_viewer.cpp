@@ -146,10 +146,12 @@ main (int argc, char** argv)
   Parameters parameters;
   Request request;
   bool asked = false;
-  Options options;
-  addEstimationOptions (options, parameters);
-  addReadingOptions (options, request.window.reading);
-  auto add = options.add_options();
+  std::vector<OptionGroup> groups{{"Picture and window", {}},
+                                  {"Input", {}},
+                                  {"Crest lines", {}},
+                                  {"Questions", {}}};
+  Options& view = groups[0].options;
+  auto add = view.add_options();
   add ("-screenshot",
        fileName ("FILE.png", request.screenshot),
        "write a picture instead of opening a window");
@@ -166,15 +168,17 @@ main (int argc, char** argv)
               }),
        "a file that pcl_viewer saved the camera to, or what is in it\n"
        "(default: the whole cloud from its broadest side)");
-  addViewOptions (options, request.window.view);
-  addQuestions (options, asked);
+  addViewOptions (view, request.window.view);
+  addReadingOptions (groups[1].options, request.window.reading);
+  addEstimationOptions (groups[2].options, parameters);
+  addQuestions (groups[3].options, asked);
   if (wantsHelp (argc, argv)) {
     std::cout
         << "Usage: pcl_crest_viewer INPUT [options]\n\n"
            "Shows a point cloud and its crest lines, ridges blue and valleys red, in\n"
            "a window with the mouse and keys of pcl_viewer (h lists them, q quits).\n"
            "INPUT is a file of one of the formats that -format lists.\n\n"
-        << usage (options) << "\nKeys in the window:\n"
+        << usage (groups) << "\nKeys in the window:\n"
         << ViewerWindow::keys();
     return EXIT_DONE;
   }
@@ -185,7 +189,7 @@ main (int argc, char** argv)
 
   Arguments arguments;
   std::string error =
-      takeArguments (argc, argv, {"INPUT"}, options, parameters, arguments);
+      takeArguments (argc, argv, {"INPUT"}, allOptions (groups), parameters, arguments);
   if (!error.empty())
     return fail (PROGRAM, EXIT_USAGE, error);
   request.window.input = arguments.files[0];

@@ -141,17 +141,29 @@ parse (int argc, const char* const* argv, const Options& options, Arguments& arg
   return {};
 }
 
+Options
+allOptions (const std::vector<OptionGroup>& groups)
+{
+  Options all;
+  for (const OptionGroup& group : groups)
+    all.add (group.options);
+  return all;
+}
+
 std::string
-usage (const Options& options)
+usage (const std::vector<OptionGroup>& groups)
 {
   constexpr std::size_t HELP_COLUMN = 26;
   const std::string next_line = "\n" + std::string (HELP_COLUMN, ' ');
   std::string text;
-  for (const auto& option : options.options()) {
-    std::string line = "  " + option->long_name() + " " + option->format_parameter();
-    line.resize (HELP_COLUMN, ' ');
-    line += boost::replace_all_copy (option->description(), "\n", next_line);
-    text += line + "\n";
+  for (const OptionGroup& group : groups) {
+    text += (text.empty() ? "" : "\n") + group.title + ":\n";
+    for (const auto& option : group.options.options()) {
+      std::string line = "  " + option->long_name() + " " + option->format_parameter();
+      line.resize (HELP_COLUMN, ' ');
+      line += boost::replace_all_copy (option->description(), "\n", next_line);
+      text += line + "\n";
+    }
   }
   return text;
 }

@@ -103,9 +103,19 @@ oneOf (const std::string& name,
 std::string
 parse (int argc, const char* const* argv, const Options& options, Arguments& arguments);
 
-/** \brief A line or more for each option. */
+/** \brief Options that have something in common. */
+struct OptionGroup {
+  std::string title;
+  Options options;
+};
+
+/** \brief All options of some groups. */
+Options
+allOptions (const std::vector<OptionGroup>& groups);
+
+/** \brief Titles, and a line or more for each option. */
 std::string
-usage (const Options& options);
+usage (const std::vector<OptionGroup>& groups);
 
 /** \brief Adds the options that fill the parameters of the estimation: -preset -angle
  * -min_length -confidence -positions -k -radius -search -M -M_ridge -M_valley -absolute

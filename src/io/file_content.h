@@ -67,6 +67,8 @@ readStl (const std::string& text);
 FileContent
 readVtk (const std::string& text);
 FileContent
+readVtp (const std::string& text);
+FileContent
 readPtx (const std::string& text);
 FileContent
 readLas (const std::string& text, const std::vector<std::uint8_t>& classes);

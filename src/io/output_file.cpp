@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 namespace pcl {
 namespace crest {
@@ -53,12 +54,13 @@ public:
       std::remove (path_.c_str());
   }
 
+  /** \brief Writes it, but leaves the target as it is; check failure (). */
   void
   write (const std::string& content)
   {
     if (stream_ == nullptr)
       return;
-    bool good =
+    const bool good =
         std::fwrite (content.data(), 1, content.size(), stream_) == content.size() &&
         std::fflush (stream_) == 0;
     if (!good)
@@ -66,11 +68,15 @@ public:
     std::FILE* const stream = stream_;
     stream_ = nullptr;
     written_ = true;
-    if (std::fclose (stream) != 0 && good) {
+    if (std::fclose (stream) != 0 && good)
       failure_ = std::strerror (errno);
-      good = false;
-    }
-    if (!good)
+  }
+
+  /** \brief Puts what was written in the place of the target; check failure (). */
+  void
+  takePlace ()
+  {
+    if (!failure_.empty())
       return;
     // A file that was there keeps the permissions that its owner gave it.
     std::error_code none;
@@ -140,11 +146,27 @@ checkWritable (const std::string& file, std::string& error)
 }
 
 bool
+replaceFiles (const std::vector<OutputFile>& files, std::string& error)
+{
+  std::vector<std::unique_ptr<Draft>> drafts;
+  for (const OutputFile& file : files) {
+    drafts.push_back (std::make_unique<Draft> (file.name));
+    drafts.back()->write (file.content);
+    if (!report (file.name, drafts.back()->failure(), error))
+      return false;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    drafts[i]->takePlace();
+    if (!report (files[i].name, drafts[i]->failure(), error))
+      return false;
+  }
+  return true;
+}
+
+bool
 replaceFile (const std::string& file, const std::string& content, std::string& error)
 {
-  Draft draft (file);
-  draft.write (content);
-  return report (file, draft.failure(), error);
+  return replaceFiles ({{file, content}}, error);
 }
 
 } // namespace crest

@@ -26,12 +26,24 @@ hasExtension (const std::string& file,
 PCL_CREST_EXPORT bool
 checkWritable (const std::string& file, std::string& error);
 
-/** \brief Puts a file in its place as a whole: it is written under another name beside
- * it and renamed, so that it is never there in part. A symbolic link is followed.
- * \param[in] file the path
- * \param[in] content all of it
+/** \brief A file to be written. */
+struct OutputFile {
+  /** the path */
+  std::string name;
+  /** all of it */
+  std::string content;
+};
+
+/** \brief Puts files in their places as a whole: they are written under other names
+ * beside them and renamed when all are complete, so that none is ever there in part. A
+ * symbolic link is followed.
+ *
  * \param[out] error on failure what is wrong, naming the file
  */
+PCL_CREST_EXPORT bool
+replaceFiles (const std::vector<OutputFile>& files, std::string& error);
+
+/** \brief The same for one file. */
 PCL_CREST_EXPORT bool
 replaceFile (const std::string& file, const std::string& content, std::string& error);
 

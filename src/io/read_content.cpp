@@ -51,6 +51,7 @@ constexpr Format FORMATS[] = {
     {"off", [] (const Source& source) { return readOff (source.text); }},
     {"stl", [] (const Source& source) { return readStl (source.text); }},
     {"vtk", [] (const Source& source) { return readVtk (source.text); }},
+    {"vtp", [] (const Source& source) { return readVtp (source.text); }},
     {"las", readLasOf},
     {"xyz", readTextOf},
     {"txt", readTextOf},

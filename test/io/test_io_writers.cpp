@@ -12,13 +12,18 @@
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include "io/output_file.h"
 #include "support/analytic_surface.h"
 #include "support/temporary_directory.h"
+#include <gdal_priv.h>
 #include <nlohmann/json.hpp>
+#include <ogrsf_frmts.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -27,6 +32,7 @@
 #include <csignal>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -49,6 +55,10 @@ struct FileLine {
 };
 
 using Numbers = std::map<std::string, double>;
+
+/** \brief The colors of ridges and of valleys. */
+const std::array<int, 3> BLUE{10, 40, 220};
+const std::array<int, 3> RED{220, 15, 15};
 
 /** \brief What files tell of a line beside its course. */
 Numbers
@@ -167,14 +177,47 @@ linesOf (vtkPolyData* data)
   return lines;
 }
 
-TEST_F (IoWriters, LinesAsVtk)
+/** \brief What a reader of VTK makes of a file. */
+template <typename Reader>
+vtkSmartPointer<vtkPolyData>
+readBy (const std::string& file)
 {
-  const std::string file = written ("a.vtk");
-  vtkNew<vtkPolyDataReader> reader;
+  vtkNew<Reader> reader;
   reader->SetFileName (file.c_str());
   reader->Update();
-  vtkPolyData* const data = reader->GetOutput();
+  EXPECT_EQ (0UL, reader->GetErrorCode());
+  return reader->GetOutput();
+}
+
+class VtkLines : public IoWriters, public testing::WithParamInterface<const char*> {};
+
+TEST_P (VtkLines, AreReadByVtk)
+{
+  const std::string file = written (GetParam());
+  const vtkSmartPointer<vtkPolyData> data = GetParam() == std::string ("a.vtk")
+                                                ? readBy<vtkPolyDataReader> (file)
+                                                : readBy<vtkXMLPolyDataReader> (file);
   EXPECT_EQ (10, data->GetNumberOfPoints());
+  // Bytes of three components are shown as colors at once.
+  for (vtkDataArray* const colors :
+       {data->GetPointData()->GetScalars(), data->GetCellData()->GetScalars()}) {
+    ASSERT_NE (nullptr, colors);
+    EXPECT_STREQ ("RGB", colors->GetName());
+    EXPECT_EQ (VTK_UNSIGNED_CHAR, colors->GetDataType());
+    ASSERT_EQ (3, colors->GetNumberOfComponents());
+  }
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
+    const bool ridge = data->GetCellData()->GetArray ("type")->GetTuple1 (cell) == 1.0;
+    vtkNew<vtkIdList> corners;
+    data->GetCellPoints (cell, corners);
+    for (int c = 0; c < 3; ++c) {
+      const int channel = ridge ? BLUE.at (c) : RED.at (c);
+      EXPECT_EQ (channel, data->GetCellData()->GetScalars()->GetComponent (cell, c));
+      EXPECT_EQ (
+          channel,
+          data->GetPointData()->GetScalars()->GetComponent (corners->GetId (0), c));
+    }
+  }
   EXPECT_EQ (expected(), linesOf (data));
   const auto value = [data] (const std::string& name, vtkIdType cell) {
     vtkDataArray* const array = data->GetCellData()->GetArray (name.c_str());
@@ -192,6 +235,8 @@ TEST_F (IoWriters, LinesAsVtk)
       ++cell;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P (LegacyAndXml, VtkLines, testing::Values ("a.vtk", "a.vtp"));
 
 TEST_F (IoWriters, LinesAsObj)
 {
@@ -212,10 +257,46 @@ TEST_F (IoWriters, LinesAsObj)
       type = line == "g ridge" ? 1 : 2;
     else if (line[0] == 'l')
       read.at (next++).type = type;
+    else if (line.find ("mtllib") == 0)
+      EXPECT_EQ ("mtllib a.mtl", line);
+    else if (line.find ("usemtl") == 0)
+      EXPECT_EQ (type == 1 ? "usemtl ridge" : "usemtl valley", line);
     else
       ASSERT_EQ ("v ", line.substr (0, 2));
   }
   EXPECT_EQ (ridges_first, read);
+  EXPECT_EQ (2U, directory_.names().size());
+  EXPECT_EQ ((std::vector<std::string>{file, directory_.file ("a.mtl")}),
+             lineFiles (file));
+  const std::string materials = oracle::contentOf (directory_.file ("a.mtl"));
+  std::map<std::string, std::array<int, 3>> colors;
+  std::istringstream lines (materials);
+  std::string name;
+  for (std::string word; lines >> word;)
+    if (word == "newmtl")
+      lines >> name;
+    else if (word == "Kd")
+      for (int& channel : colors[name]) {
+        float part = 0.0F;
+        lines >> part;
+        channel = static_cast<int> (std::lround (255.0F * part));
+      }
+  EXPECT_EQ (BLUE, colors["ridge"]);
+  EXPECT_EQ (RED, colors["valley"]);
+}
+
+TEST_F (IoWriters, NeitherOfTheFilesOfObjIsThereAlone)
+{
+  std::string error;
+  std::filesystem::create_directory (directory_.file ("a.obj"));
+  EXPECT_FALSE (writeLines (directory_.file ("a.obj"), cloud_, lines_, error));
+  EXPECT_EQ (directory_.file ("a.obj") + ": it cannot be written: it is a directory",
+             error);
+  std::filesystem::create_directory (directory_.file ("b.mtl"));
+  EXPECT_FALSE (writeLines (directory_.file ("b.obj"), cloud_, lines_, error));
+  EXPECT_EQ (directory_.file ("b.mtl") + ": it cannot be written: it is a directory",
+             error);
+  EXPECT_EQ ((std::vector<std::string>{"a.obj", "b.mtl"}), directory_.names());
 }
 
 /** \brief The numbers of a PLY file in ASCII: elements by name, properties by name. */
@@ -280,6 +361,16 @@ TEST_F (IoWriters, LinesAsPly)
         const Numbers& edge = edges.at (next);
         EXPECT_EQ (at (line.polylines[p][j - 1]), positionOf (edge.at ("vertex1")));
         EXPECT_EQ (at (line.polylines[p][j]), positionOf (edge.at ("vertex2")));
+        const std::array<int, 3>& color = line.type == CrestType::RIDGE ? BLUE : RED;
+        for (const auto& [name, channel] : {std::pair ("red", color[0]),
+                                            std::pair ("green", color[1]),
+                                            std::pair ("blue", color[2])}) {
+          EXPECT_EQ (channel, edge.at (name));
+          EXPECT_EQ (channel,
+                     items["vertex"]
+                         .at (static_cast<std::size_t> (edge.at ("vertex1")))
+                         .at (name));
+        }
         EXPECT_EQ (static_cast<int> (line.type), edge.at ("type"));
         EXPECT_EQ (i, edge.at ("line"));
         EXPECT_EQ (next_polyline, edge.at ("polyline"));
@@ -302,6 +393,101 @@ TEST_F (IoWriters, NoLinesAtAllMakeValidFiles)
   reader->Update();
   EXPECT_EQ (0, reader->GetOutput()->GetNumberOfCells());
   EXPECT_EQ (0UL, reader->GetErrorCode());
+  EXPECT_EQ (
+      0, readBy<vtkXMLPolyDataReader> (directory_.file ("e.vtp"))->GetNumberOfCells());
+  EXPECT_TRUE (nlohmann::json::parse (oracle::contentOf (directory_.file ("e.geojson")))
+                   .at ("features")
+                   .empty());
+}
+
+TEST_F (IoWriters, LinesAsGeoJson)
+{
+  const auto json = nlohmann::json::parse (oracle::contentOf (written ("a.geojson")));
+  EXPECT_EQ ("FeatureCollection", json.at ("type"));
+  ASSERT_EQ (lines_.size(), json.at ("features").size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const CrestLine& line = lines_[i];
+    const auto& feature = json.at ("features")[i];
+    EXPECT_EQ ("Feature", feature.at ("type"));
+    const auto& properties = feature.at ("properties");
+    EXPECT_EQ (i, properties.at ("id"));
+    EXPECT_EQ (line.type == CrestType::RIDGE ? "ridge" : "valley",
+               properties.at ("type"));
+    for (const auto& [name, measure] : measuresOf (line)) {
+      EXPECT_TRUE (name == "type" || measure == properties.at (name)) << name;
+    }
+    const auto& geometry = feature.at ("geometry");
+    EXPECT_EQ ("MultiLineString", geometry.at ("type"));
+    ASSERT_EQ (line.polylines.size(), geometry.at ("coordinates").size());
+    for (std::size_t p = 0; p < line.polylines.size(); ++p) {
+      std::vector<Position> positions;
+      for (const pcl::index_t point : line.polylines[p])
+        positions.push_back (at (point));
+      EXPECT_EQ (positions,
+                 geometry.at ("coordinates")[p].get<std::vector<Position>>());
+    }
+  }
+}
+
+/** \brief The lines of a file as GDAL reads them, by the names of their layers or
+ * types, all polylines by themselves.
+ */
+std::vector<FileLine>
+readByGdal (const std::string& file, const char* type_field)
+{
+  GDALAllRegister();
+  std::vector<FileLine> lines;
+  const std::unique_ptr<GDALDataset, decltype (&GDALClose)> data (
+      GDALDataset::Open (file.c_str(), GDAL_OF_VECTOR), &GDALClose);
+  EXPECT_NE (nullptr, data) << file;
+  if (data == nullptr)
+    return lines;
+  for (OGRLayer* const layer : data->GetLayers())
+    for (const auto& feature : *layer) {
+      const std::string type = feature->GetFieldAsString (type_field);
+      const auto add = [&] (const OGRLineString& polyline) {
+        lines.push_back ({type == "ridge" || type == "RIDGE"     ? 1
+                          : type == "valley" || type == "VALLEY" ? 2
+                                                                 : 0,
+                          {}});
+        for (const OGRPoint& point : polyline)
+          lines.back().positions.push_back ({static_cast<float> (point.getX()),
+                                             static_cast<float> (point.getY()),
+                                             static_cast<float> (point.getZ())});
+      };
+      const OGRGeometry* const geometry = feature->GetGeometryRef();
+      EXPECT_NE (nullptr, geometry);
+      if (geometry == nullptr)
+        continue;
+      if (wkbFlatten (geometry->getGeometryType()) == wkbLineString)
+        add (*geometry->toLineString());
+      else
+        for (const OGRLineString* const polyline : *geometry->toMultiLineString())
+          add (*polyline);
+    }
+  return lines;
+}
+
+TEST_F (IoWriters, LinesAreReadByGdal)
+{
+  EXPECT_EQ (expected(), readByGdal (written ("a.geojson"), "type"));
+  EXPECT_EQ (expected(), readByGdal (written ("a.csv"), "type"));
+  EXPECT_EQ (expected(), readByGdal (written ("a.dxf"), "Layer"));
+}
+
+TEST_F (IoWriters, LinesAsCsv)
+{
+  std::istringstream text (oracle::contentOf (written ("a.csv")));
+  std::string row;
+  std::getline (text, row);
+  EXPECT_EQ ("id,type,length,strength,vertices,WKT", row);
+  for (const char* const start : {"0,ridge,4,2.5,5,\"MULTILINESTRING Z ((",
+                                  "1,valley,3,1e-300,3,\"MULTILINESTRING Z ((",
+                                  "2,ridge,1,7,2,\"MULTILINESTRING Z (("}) {
+    std::getline (text, row);
+    EXPECT_EQ (0U, row.find (start)) << row;
+  }
+  EXPECT_FALSE (std::getline (text, row));
 }
 
 TEST_F (IoWriters, LabelsAsPcd)
@@ -533,8 +719,10 @@ TEST_F (IoWriters, WhatCannotBeWrittenIsNamed)
 
   EXPECT_FALSE (writeLines (directory_.file ("a.stl"), cloud_, lines_, error));
   EXPECT_EQ (0U, error.find (directory_.file ("a.stl")));
-  EXPECT_FALSE (hasExtension ("a.dxf", lineExtensions(), error));
-  EXPECT_EQ ("a.dxf: the extension must be .obj, .ply or .vtk", error);
+  EXPECT_FALSE (hasExtension ("a.shp", lineExtensions(), error));
+  EXPECT_EQ ("a.shp: the extension must be .obj, .ply, .vtk, .vtp, .dxf, .geojson or "
+             ".csv",
+             error);
 }
 
 } // namespace

@@ -84,7 +84,7 @@ protected:
 
 TEST_F (LineTool, WritesWhatTheLibraryComputes)
 {
-  const std::vector<std::string> names{"c.pcd", "l.obj", "o.pcd", "s.json"};
+  const std::vector<std::string> names{"c.pcd", "l.mtl", "l.obj", "o.pcd", "s.json"};
   const Outcome result = run ({input(),       outputs_.file ("o.pcd"),
                                "-preset",     "paper",
                                "-M_ridge",    "0.4",
@@ -326,20 +326,37 @@ TEST_F (LineTool, HelpGoesToTheStandardOutput)
     const Outcome result = run (arguments);
     EXPECT_EQ (0, result.code);
     EXPECT_EQ ("", result.error);
-    for (const char* option : {"-k ",          "-radius ",
-                               "-M ",          "-M_ridge ",
-                               "-M_valley ",   "-absolute ",
-                               "-S ",          "-S_ridge ",
-                               "-S_valley ",   "-strength ",
-                               "-prune ",      "-preset ",
-                               "-angle ",      "-min_length ",
-                               "-confidence ", "-positions ",
-                               "-boundaries ", "-type ",
-                               "-threads ",    "-lines ",
-                               "-stats ",      "-curvatures ",
-                               "-search ",     "-quiet ",
-                               "-h ",          "-estimate_normals ",
-                               "-version ",    "(default 24)"})
+    for (const char* option : {"-k ",
+                               "-radius ",
+                               "-M ",
+                               "-M_ridge ",
+                               "-M_valley ",
+                               "-absolute ",
+                               "-S ",
+                               "-S_ridge ",
+                               "-S_valley ",
+                               "-strength ",
+                               "-prune ",
+                               "-preset ",
+                               "-angle ",
+                               "-min_length ",
+                               "-confidence ",
+                               "-positions ",
+                               "-boundaries ",
+                               "-type ",
+                               "-threads ",
+                               "-lines ",
+                               "-stats ",
+                               "-curvatures ",
+                               "-search ",
+                               "-quiet ",
+                               "-h ",
+                               "-estimate_normals ",
+                               "-version ",
+                               "(default 24)",
+                               "Output:\n",
+                               "\nInput:\n",
+                               "\nCrest lines:\n"})
       EXPECT_NE (std::string::npos, result.out.find (option)) << option;
   }
 }
@@ -445,7 +462,8 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-threads", "-1"}, "not negative");
   expectUsageError ({in, out, "-threads", "99999"}, "at most");
   expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd, .ply or .las");
-  expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")}, ".obj, .ply or .vtk");
+  expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")},
+                    ".dxf, .geojson or .csv");
   expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
   expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");
   expectUsageError ({in, out, "-columns", "x,y,z,x"}, "as in x,y,z,-,nx,ny,nz");
@@ -458,6 +476,8 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-stats", outputs_.file ("s.txt")}, "must be .json");
   expectUsageError ({in, out, "-curvatures", out}, "named twice");
   expectUsageError ({out, out}, "named twice");
+  expectUsageError ({outputs_.file ("l.mtl"), out, "-lines", outputs_.file ("l.obj")},
+                    "l.mtl is named twice");
   expectUsageError (
       {in, out, "-curvatures", outputs_.file ("../") + out.substr (out.find ("pcl_"))},
       "named twice");

@@ -190,7 +190,8 @@ struct InputCloud {
   /** of each point red, green and blue up to 255, where a PCD, PLY, LAS or text file
    * has them and its points are these; else empty */
   std::vector<std::array<unsigned char, 3>> colors;
-  /** of files whose points are these, but for OBJ, OFF, STL, PTX and VTK */
+  /** of files whose points are these, but for OBJ, OFF, STL, PTX, VTK and VTP
+   */
   FileFields fields;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
@@ -215,10 +216,10 @@ explainInvalid (const ReadOptions& options);
  * else estimated from k neighbours and made consistent over the cloud.
  *
  * By the extension of the name, or options.format: PCD, PLY, OBJ, OFF, STL, PTX, VTK
- * (legacy polydata and unstructured grids), LAS, or text with a point a line (XYZ, TXT,
- * CSV, ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz". Points
- * are those of the file in its order; STL files list the corners of triangles, of which
- * equal ones become one point.
+ * (legacy polydata and unstructured grids), VTP, LAS, or text with a point a line (XYZ,
+ * TXT, CSV, ASC, PTS, NEU). Any of them may be packed by gzip, as in "scan.ply.gz".
+ * Points are those of the file in its order; STL files list the corners of triangles,
+ * of which equal ones become one point.
  *
  * Coordinates are read as doubles. Where floats are too coarse for them, an offset is
  * taken off, and points that cannot be meant are set apart (see placePoints); the notes

@@ -18,17 +18,33 @@ namespace crest {
 PCL_CREST_EXPORT std::vector<std::string>
 lineExtensions ();
 
+/** \brief The files that writeLines writes for a name: that one, and of OBJ a second
+ * one with the materials.
+ */
+PCL_CREST_EXPORT std::vector<std::string>
+lineFiles (const std::string& file);
+
 /** \brief Writes crest lines in the format that the extension of the name tells. The
  * points in the file are those on lines, in the order of the cloud. A closed line ends
  * with its first point.
  *
- * - .obj: the groups "ridge" and "valley" with an element `l` for each polyline.
- * - .ply: elements "edge" with vertex1, vertex2, type (crest::CrestType), line, the
- *   place of the line in `lines`, and polyline; "polyline" with line and its two ends
- *   (crest::LineEnd); "line" with type, size, closed, length, strength, mean_curvature,
- *   turning_angle, scale and sign_trust of each, as CrestLine has them.
- * - .vtk: legacy polydata with a cell for each polyline, and all of these as data of
- * the cells, the same for all cells of a line but the ends.
+ * Where a format has colors, ridges are blue and valleys red.
+ *
+ * - .obj: the groups "ridge" and "valley" with an element `l` for each polyline; the
+ *   materials of these names are in a file .mtl beside it.
+ * - .ply: vertices with colors; elements "edge" with vertex1, vertex2, red, green,
+ * blue, type (crest::CrestType), line, the place of the line in `lines`, and polyline;
+ * "polyline" with line and its two ends (crest::LineEnd); "line" with type, size,
+ * closed, length, strength, mean_curvature, turning_angle, scale and sign_trust of
+ * each, as CrestLine has them.
+ * - .vtk, .vtp: polydata, legacy or XML, with a cell for each polyline, and all of
+ * these as data of the cells, the same for all cells of a line but the ends; the array
+ * RGB of points and cells is the active one.
+ * - .dxf: release 12, 3-D polylines on the layers RIDGE and VALLEY.
+ * - .geojson: a feature with a MultiLineString for each line, in the coordinates of the
+ *   file, whatever these are; its properties are those of PLY's "line".
+ * - .csv: a row for each line with id, its place in `lines`, type, length, strength,
+ * the number of its vertices, and WKT, its polylines.
  *
  * Coordinates are floats, but doubles where the placement has an offset.
  *
