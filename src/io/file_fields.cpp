@@ -143,9 +143,10 @@ renameFields (FileFields& fields)
     if (seen.insert (field.name).second)
       continue;
     before.push_back (field.name);
-    std::string name = "input_" + field.name;
+    constexpr char PREFIX[] = "input_";
+    std::string name = PREFIX + field.name;
     while (!taken.insert (name).second)
-      name = "input_" + name;
+      name.insert (0, PREFIX);
     field.name = name;
     seen.insert (name);
     after.push_back (field.name);

@@ -302,12 +302,10 @@ private:
       else
         runs.push_back (field);
     FileFields& fields = content_.fields;
-    fields.records.resize (header_.points * fields.record_size);
-    char* to = fields.records.data();
     for (std::size_t i = 0; i < header_.points; ++i)
       for (const PlacedField& run : runs) {
-        std::memcpy (to, at (run, i), run.size);
-        to += run.size;
+        const char* const from = at (run, i);
+        fields.records.insert (fields.records.end(), from, from + run.size);
       }
   }
 

@@ -8,6 +8,7 @@
 #include "io/crest_colors.h"
 #include "io/number_type.h"
 
+#include <array>
 #include <string>
 #include <vector>
 

@@ -96,9 +96,17 @@ readText (const std::string& file)
 {
   const std::filesystem::path path (file);
   std::ifstream stream = openFile (path);
-  std::string text (std::filesystem::file_size (path), '\0');
-  stream.read (text.data(), static_cast<std::streamsize> (text.size()));
-  if (!stream)
+  // Through a small buffer, as a string of this size would first be filled with zeros.
+  constexpr std::size_t BUFFER = 1U << 18U;
+  std::vector<char> buffer (BUFFER);
+  std::string text;
+  text.reserve (std::filesystem::file_size (path));
+  do {
+    stream.read (buffer.data(), BUFFER);
+    text.append (buffer.data(), static_cast<std::size_t> (stream.gcount()));
+  }
+  while (stream);
+  if (!stream.eof())
     throw ReadError (std::string ("it cannot be read: ") + std::strerror (errno));
   return text;
 }

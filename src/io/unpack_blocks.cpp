@@ -41,7 +41,7 @@ public:
   {
     if (size > data_.size())
       failCut (what);
-    const std::string bytes (data_.substr (0, size));
+    std::string bytes (data_.substr (0, size));
     data_.remove_prefix (size);
     return bytes;
   }
@@ -73,7 +73,7 @@ public:
       failCut (what);
     while (rest_.size() < size)
       decodeGroup (what);
-    const std::string bytes = rest_.substr (0, size);
+    std::string bytes = rest_.substr (0, size);
     rest_.erase (0, size);
     return bytes;
   }

@@ -150,9 +150,7 @@ private:
           std::find (las::EXTRA_TYPES.begin(), las::EXTRA_TYPES.end(), column.type);
       put (record + las::EXTRA_TYPE,
            static_cast<std::uint8_t> (1 + (type - las::EXTRA_TYPES.begin())));
-      std::memcpy (record + las::EXTRA_NAME,
-                   column.name.data(),
-                   std::min (column.name.size(), las::EXTRA_NAME_SIZE));
+      column.name.copy (record + las::EXTRA_NAME, las::EXTRA_NAME_SIZE);
       record += las::EXTRA_SIZE;
     }
   }
@@ -181,7 +179,7 @@ private:
       const double steps = (position[axis] - grid_.origin[axis]) / grid_.step[axis];
       const auto whole =
           has_position ? static_cast<std::int32_t> (std::round (steps)) : 0;
-      put (point + 4 * axis, whole);
+      put (point + sizeof (whole) * static_cast<std::size_t> (axis), whole);
       const double place = grid_.step[axis] * whole + grid_.origin[axis];
       least_[axis] = std::min (least_[axis], place);
       most_[axis] = std::max (most_[axis], place);
@@ -211,7 +209,7 @@ private:
                                (bits & room));
     }
     else if (dimension.type == NumberType::FLOAT32)
-      put (to, static_cast<std::int16_t> (std::round (value / las::WIDE_ANGLE)));
+      put (to, wholeAngle (value));
     else if (dimension.type == NumberType::FLOAT64) {
       put (to, value);
       has_large_times_ = has_large_times_ || value < 0.0 || value >= WEEK;
@@ -220,6 +218,16 @@ private:
       put (to, static_cast<std::uint16_t> (value));
     else
       put (to, static_cast<std::uint8_t> (value));
+  }
+
+  /** \brief A scan angle in its unit; 0 for what no scan angle can be. */
+  static std::int16_t
+  wholeAngle (double degrees)
+  {
+    constexpr double MOST = std::numeric_limits<std::int16_t>::max();
+    const double angle = std::round (degrees / las::WIDE_ANGLE);
+    return std::abs (angle) <= MOST ? static_cast<std::int16_t> (angle)
+                                    : std::int16_t (0);
   }
 
   void

@@ -42,8 +42,11 @@ toMtl ()
       color += ' ';
       appendNumber (color, static_cast<float> (channel) / 255.0F);
     }
-    text += std::string (text.empty() ? "" : "\n") + "newmtl " + nameOf (type) +
-            "\nKa" + color + "\nKd" + color + "\nillum 0\n";
+    text += text.empty() ? "newmtl " : "\nnewmtl ";
+    text += nameOf (type);
+    for (const char* const light : {"\nKa", "\nKd"})
+      text += light + color;
+    text += "\nillum 0\n";
   }
   return text;
 }

@@ -3,7 +3,7 @@
 #include "io/point_file.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 
 namespace pcl {
 namespace crest {
@@ -41,15 +41,6 @@ nameOf (NumberType type)
   }
 }
 
-/** \brief Whether points have a color in some other type than bytes. */
-bool
-hasChannel (const std::vector<PointColumn>& columns)
-{
-  return std::any_of (columns.begin(), columns.end(), [] (const PointColumn& column) {
-    return column.name == "red";
-  });
-}
-
 std::vector<Rgb>
 labelColors (const pcl::PointCloud<pcl::Label>& labels)
 {
@@ -60,7 +51,7 @@ labelColors (const pcl::PointCloud<pcl::Label>& labels)
   return colors;
 }
 
-/** \brief Appends a number, or three, in little-endian order. */
+/** \brief Appends a number in little-endian order. */
 void
 appendNumbers (std::string& text, const char* bytes, NumberType type)
 {
@@ -87,7 +78,7 @@ toPly (const PointFile& file)
     passing = singleColumns (passingColumns (file, false));
   std::vector<Rgb> of_labels;
   const std::vector<Rgb>* colors = file.colors;
-  if (colors == nullptr && file.labels != nullptr && !hasChannel (passing)) {
+  if (colors == nullptr && file.labels != nullptr) {
     of_labels = labelColors (*file.labels);
     colors = &of_labels;
   }
@@ -96,7 +87,7 @@ toPly (const PointFile& file)
     for (std::size_t c = 0; c < CHANNELS.size(); ++c) {
       columns.push_back (
           columnOf<Rgb> (CHANNELS[c], colors->data()->data() + c, NumberType::UINT8));
-      // Of more than eight bits, which programs do not expect under these names.
+      // Of other types than bytes, which programs do not expect under these names.
       for (PointColumn& column : passing)
         if (column.name == CHANNELS[c])
           column.name = "input_" + column.name;

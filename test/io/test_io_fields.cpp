@@ -538,6 +538,15 @@ TEST_F (IoFields, OfLas)
       ASSERT_EQ (point.time, valueOf<double> (output, "gps_time", i));
       ASSERT_EQ (i, valueOf<std::uint16_t> (output, "input_label", i));
     }
+
+    // As PLY, with bytes under the names that programs know.
+    ASSERT_EQ (0, pcl::io::loadPLYFile (write (cloud, "o.ply"), output));
+    for (std::size_t i = 0; i < 50 && has_colors; ++i) {
+      const auto& color = las.points[i].color;
+      ASSERT_EQ (color[0], valueOf<std::uint16_t> (output, "input_red", i));
+      ASSERT_EQ ((color[0] >> 8U) << 16U | (color[1] >> 8U) << 8U | color[2] >> 8U,
+                 valueOf<std::uint32_t> (output, "rgb", i) & 0xFFFFFFU);
+    }
   }
 }
 
