@@ -373,20 +373,24 @@ TEST_F (Placed, LinesAndLabelsAreThoseNearTheOriginWhereTheyWere)
             << error;
         return directory_.file (name);
       };
-  const auto numbersOf = [] (const std::string& file, const std::string& after) {
-    std::string text = oracle::contentOf (file);
-    std::istringstream numbers (text.substr (text.find (after) + after.size()));
-    Positions positions;
-    std::string word;
-    for (Eigen::Vector3d p; numbers >> word;) {
-      if (word != "v")
-        numbers.seekg (-static_cast<int> (word.size()), std::ios::cur);
-      if (!(numbers >> p.x() >> p.y() >> p.z()))
-        break;
-      positions.push_back (p);
-    }
-    return positions;
-  };
+  // Those behind some text, each with as many other numbers behind it.
+  const auto numbersOf =
+      [] (const std::string& file, const std::string& after, int others = 0) {
+        std::string text = oracle::contentOf (file);
+        std::istringstream numbers (text.substr (text.find (after) + after.size()));
+        Positions positions;
+        std::string word;
+        for (Eigen::Vector3d p; numbers >> word;) {
+          if (word != "v")
+            numbers.seekg (-static_cast<int> (word.size()), std::ios::cur);
+          if (!(numbers >> p.x() >> p.y() >> p.z()))
+            break;
+          positions.push_back (p);
+          for (int i = 0; i < others; ++i)
+            numbers >> word;
+        }
+        return positions;
+      };
   const auto expectMoved = [&] (const Positions& here, const Positions& there) {
     ASSERT_FALSE (here.empty());
     ASSERT_EQ (here.size(), there.size());
@@ -394,15 +398,16 @@ TEST_F (Placed, LinesAndLabelsAreThoseNearTheOriginWhereTheyWere)
     for (std::size_t i = 0; i < here.size(); ++i)
       ASSERT_LE ((here[i] + offset - there[i]).cwiseAbs().maxCoeff(), 1e-5);
   };
-  expectMoved (numbersOf (written ("near.obj", near, expected), ""),
-               numbersOf (written ("far.obj", far, found), ""));
+  expectMoved (numbersOf (written ("near.obj", near, expected), "near.mtl\n"),
+               numbersOf (written ("far.obj", far, found), "far.mtl\n"));
   const std::string ply = written ("far.ply", far, found);
   EXPECT_NE (std::string::npos, oracle::contentOf (ply).find ("property double x"));
   const std::string near_ply = written ("near.ply", near, expected);
   EXPECT_NE (std::string::npos, oracle::contentOf (near_ply).find ("property float x"));
-  Positions of_near_ply = numbersOf (near_ply, "end_header\n");
-  Positions of_ply = numbersOf (ply, "end_header\n");
-  const std::size_t points = numbersOf (directory_.file ("near.obj"), "").size();
+  Positions of_near_ply = numbersOf (near_ply, "end_header\n", 3);
+  Positions of_ply = numbersOf (ply, "end_header\n", 3);
+  const std::size_t points =
+      numbersOf (directory_.file ("near.obj"), "near.mtl\n").size();
   of_near_ply.resize (points);
   of_ply.resize (points);
   expectMoved (of_near_ply, of_ply);
