@@ -228,7 +228,8 @@ TEST_F (IoFields, OfPcd)
               std::memcmp (
                   &input.data[i * input.point_step + field.offset],
                   &output.data[i * output.point_step + output.fields[place].offset],
-                  field.count * pcl::getFieldSize (field.datatype)))
+                  std::size_t (field.count) *
+                      static_cast<std::size_t> (pcl::getFieldSize (field.datatype))))
               << field.name << " of point " << i;
         }
       }
@@ -449,7 +450,7 @@ TEST_F (IoFields, OfLas)
     const bool has_colors = format == 3 || format >= 7;
     const std::size_t base = format == 8 ? 38 : has_colors ? 36 : 30;
     constexpr std::size_t NUMBERS = 3 + 4 + 2;
-    const std::size_t size = base + 3 * 4 + 4 * 4 + 4 + 2;
+    const std::size_t size = base + 12 + 16 + 4 + 2;
     EXPECT_EQ ("LASF", text.substr (0, 4));
     EXPECT_EQ (17, numberAt<std::uint16_t> (text, 6));
     EXPECT_EQ (1, text[24]);

@@ -214,7 +214,7 @@ TEST_F (IoVtp, WhateverIsCutOrChangedIsReadOrRefused)
         writer.SetCompressorTypeToZLib();
     });
     const std::string good = oracle::contentOf (file);
-    const std::size_t data = good.find ("_");
+    const std::size_t data = good.find ('_');
     for (int i = 0; i < 60; ++i)
       refusal (good.substr (0, random() % (data + 300)));
     for (int i = 0; i < 300; ++i) {
