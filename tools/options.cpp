@@ -151,20 +151,26 @@ allOptions (const std::vector<OptionGroup>& groups)
 }
 
 std::string
-usage (const std::vector<OptionGroup>& groups)
+usage (const Options& options)
 {
   constexpr std::size_t HELP_COLUMN = 26;
   const std::string next_line = "\n" + std::string (HELP_COLUMN, ' ');
   std::string text;
-  for (const OptionGroup& group : groups) {
-    text += (text.empty() ? "" : "\n") + group.title + ":\n";
-    for (const auto& option : group.options.options()) {
-      std::string line = "  " + option->long_name() + " " + option->format_parameter();
-      line.resize (HELP_COLUMN, ' ');
-      line += boost::replace_all_copy (option->description(), "\n", next_line);
-      text += line + "\n";
-    }
+  for (const auto& option : options.options()) {
+    std::string line = "  " + option->long_name() + " " + option->format_parameter();
+    line.resize (HELP_COLUMN, ' ');
+    line += boost::replace_all_copy (option->description(), "\n", next_line);
+    text += line + "\n";
   }
+  return text;
+}
+
+std::string
+usage (const std::vector<OptionGroup>& groups)
+{
+  std::string text;
+  for (const OptionGroup& group : groups)
+    text += (text.empty() ? "" : "\n") + group.title + ":\n" + usage (group.options);
   return text;
 }
 

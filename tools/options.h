@@ -113,7 +113,11 @@ struct OptionGroup {
 Options
 allOptions (const std::vector<OptionGroup>& groups);
 
-/** \brief Titles, and a line or more for each option. */
+/** \brief A line or more for each option. */
+std::string
+usage (const Options& options);
+
+/** \brief The same of each group, below its title. */
 std::string
 usage (const std::vector<OptionGroup>& groups);
 
