@@ -299,7 +299,7 @@ private:
     constexpr double LITTLE_NOISE = 0.002;
     // Where samples are on a few lines, or on levels, a quartic goes through all of
     // them.
-    constexpr double MOST = 2.5;
+    constexpr double MOST = 2.0;
     const double of_quartic = quarticResidual (positions_, normal);
     if (of_quartic < LITTLE_NOISE)
       return std::min (MOST, of_best_planes_ / (of_quartic + LEAST_NOISE));
