@@ -22,6 +22,21 @@ writeCloud (const pcl::PointCloud<pcl::PointNormal>& cloud, const std::string& f
 }
 
 bool
+writeScan (const pcl::PointCloud<pcl::PointXYZ>& cloud, const std::string& file)
+{
+  std::ofstream stream (file);
+  stream.precision (9);
+  stream << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+         << cloud.width << "\nHEIGHT " << cloud.height << "\nVIEWPOINT "
+         << cloud.sensor_origin_.head<3>().transpose() << " 1 0 0 0\nPOINTS "
+         << cloud.size() << "\nDATA ascii\n";
+  for (const pcl::PointXYZ& p : cloud)
+    stream << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  stream.close();
+  return !stream.fail();
+}
+
+bool
 writeTruth (const std::vector<oracle::TruthSegment>& truth, const std::string& file)
 {
   std::ofstream stream (file);

@@ -12,6 +12,10 @@ namespace accuracy {
 bool
 writeCloud (const pcl::PointCloud<pcl::PointNormal>& cloud, const std::string& file);
 
+/** \brief Writes an ASCII PCD with the place of the sensor. */
+bool
+writeScan (const pcl::PointCloud<pcl::PointXYZ>& cloud, const std::string& file);
+
 /** \brief Writes an OBJ with a line element for each segment, in the groups ridge and
  * valley, and ridge_salient and valley_salient for those of oracle::salientLines.
  */

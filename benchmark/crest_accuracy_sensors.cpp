@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How near the lines of the Feature come to the crests of scenes that simulated sensors
 // see.
+#include "cloud_files.h"
 #include "json_file.h"
 #include "sensor_score.h"
 #include "settings.h"
@@ -48,10 +49,14 @@ main (int argc, char** argv)
   for (const oracle::SensorCase& one : cases)
     if (std::find (names.begin(), names.end(), one.sensor) == names.end())
       names.push_back (one.sensor);
+  std::string files;
   pcl::crest::Options options;
   options.add_options() ("-sensors",
                          accuracy::namesOf (names, names),
-                         "by their names in the table (all)");
+                         "by their names in the table (all)") (
+      "-files",
+      pcl::crest::fileName ("FOLDER", files),
+      "write what sensors see there, by the names of scenes and sensors");
   accuracy::addOutputSettings (options, settings);
   pcl::crest::Arguments arguments;
   std::string error = pcl::crest::parse (argc, argv, options, arguments);
@@ -76,6 +81,12 @@ main (int argc, char** argv)
     if (std::find (names.begin(), names.end(), one.sensor) == names.end())
       continue;
     const oracle::SensorCloud scan = one.scan (settings.seed);
+    if (!files.empty() &&
+        !accuracy::writeScan (
+            *scan.cloud, files + '/' + one.scene.name + ", " + one.sensor + ".pcd")) {
+      std::cerr << "crest_accuracy_sensors: could not write to " << files << '\n';
+      return 1;
+    }
     SensorScore score = accuracy::scoreSensor (
         accuracy::runOn (scan, settings.threads), one.scene, scan.view);
     score.sensor = one.sensor;

@@ -30,6 +30,11 @@ if OWN_FOLDER:
              ["-cam", "1,400/0,0,0/-30,-25,35/0,0,1/0.5236/460,460/0,0"]),
     ]
 
+# From where the sensor is: its flying pixels would fill the picture.
+SENSOR_CAMERAS = {
+    "blocks, time of flight": ["-cam", "0.1,20/0.05,0.1,0.1/0.3,-1.7,1.5/0,0,1/0.75/230,230/0,0"],
+}
+
 
 def montage(files, tiles, target):
     run("montage", *files, "-tile", tiles, "-geometry", "+2+2", target)
@@ -58,6 +63,16 @@ def surface_sheet(clouds, scratch):
         files.append(scratch / f"{cloud.stem}.png")
         screenshot(cloud, ["-preset", "auto"], files[-1], SIZE * 2 // 3)
     montage(files, "3x", PICTURES / "accuracy_surfaces.png")
+
+
+def sensor_sheet(clouds, scratch):
+    """Paper left, auto right, for each sensor: what it sees by itself, and what is made of it."""
+    files = []
+    for cloud in clouds:
+        for preset in ("paper", "auto"):
+            files.append(scratch / f"{cloud.stem}, {preset}.png")
+            screenshot(cloud, ["-preset", preset, *SENSOR_CAMERAS.get(cloud.stem, [])], files[-1], SIZE // 2)
+    montage(files, "6x", PICTURES / "accuracy_sensors.png")
 
 
 def plot_f1(noises, curves):
