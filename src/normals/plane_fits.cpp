@@ -95,6 +95,19 @@ struct PlaneFit {
   }
 };
 
+/** \brief A fit as seen from another sample. */
+PlaneFit
+seenFrom (const Eigen::Vector3f& offset, PlaneFit fit)
+{
+  fit.height -= fit.normal.dot (offset);
+  // The sheet that a sample is nearer to is its own.
+  if (fit.middle * (fit.height + fit.middle) < 0.0) {
+    fit.height += 2.0 * fit.middle;
+    fit.middle = -fit.middle;
+  }
+  return fit;
+}
+
 /** \brief What one window shows. */
 struct WindowFit {
   PlaneFit fit;
@@ -334,8 +347,10 @@ private:
                       NeighborCount{std::max ((k_ << widest) - 1, PlaneFits::NEAREST)});
     for (std::size_t begin = first; begin < last; begin += LEAF_SIZE) {
       const std::size_t end = std::min (begin + LEAF_SIZE, last);
-      if (widest < SHARED || !shareWindow (widest, first, begin, end))
+      if (widest < SHARED)
         fitEach (narrowest, widest, first, search->searchLeaf (begin / LEAF_SIZE));
+      else
+        shareWindow (widest, first, begin, end);
     }
     const std::size_t count = last - first;
     std::array<double, MEMBERS> values{};
@@ -411,9 +426,9 @@ private:
   }
 
   /** \brief Fits one window for a leaf: wide ones are nearly the same for all of its
-   * samples, unless there are two sheets.
+   * samples.
    */
-  bool
+  void
   shareWindow (int growth, std::size_t group, std::size_t begin, std::size_t end)
   {
     const std::size_t middle = begin + (end - begin) / 2;
@@ -422,14 +437,14 @@ private:
              group,
              searches_[growth]->searchPoint (static_cast<std::int32_t> (middle)));
     const WindowFit shared = windows_[growth][middle - group];
-    if (shared.fit.hasTwoSheets() || shared.likely_sheets)
-      return false;
     for (std::size_t place = begin; place < end; ++place) {
+      const Eigen::Vector3f offset = position (place) - position (middle);
       WindowFit& window = windows_[growth][place - group];
-      window = shared;
-      window.fit.height -= shared.fit.normal.dot (position (place) - position (middle));
+      window.fit = seenFrom (offset, shared.fit);
+      window.likely_sheets.reset();
+      if (shared.likely_sheets)
+        window.likely_sheets = seenFrom (offset, *shared.likely_sheets);
     }
-    return true;
   }
 
   void
