@@ -25,7 +25,7 @@ struct Crease {
   /** the same as a part of what a smooth surface leaves of the nearest, .02 spacings at
    * least: well above 1 where it is no noise that the faces leave, but the edge is
    * round. That is a quartic of the 24 nearest if it leaves less than .045 spacings,
-   * and 2.5 at most; else a cubic of the 30 nearest, and 0 if the faces were fitted to
+   * and 2 at most; else a cubic of the 30 nearest, and 0 if the faces were fitted to
    * no more samples than these. 0 too if these lie in a narrow strip and tell nothing
    */
   float roundness = 0.0F;

@@ -19,8 +19,11 @@ struct BlockEncoding {
 };
 
 /** \brief Unpacks the array that data begin with; throws a ReadError where it has not
- * the size that is expected, before there is room for it. \param[in] size of the array
- * in bytes \param[in] what it holds, for messages
+ * the size that is expected, before there is room for it.
+ *
+ * \param[in] size of the array in bytes
+ *
+ * \param[in] what it holds, for messages
  */
 std::string
 unpackRaw (std::string_view data,

@@ -469,7 +469,8 @@ private:
   PlaneFits& fits_;
   std::array<std::optional<LeafSearch>, GROWTHS> searches_;
   std::array<Windows, GROWTHS> windows_;
-  /** of each growth the lower quartile over the group */
+  /** of each growth the lower quartile over the group, the upper where windows agree on
+   * two sheets */
   std::array<double, GROWTHS> roughness_{};
   std::array<double, GROWTHS> sigma_{};
   /** whether its windows agree on two sheets */
