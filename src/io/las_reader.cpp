@@ -310,10 +310,7 @@ private:
   copyNumbers (const char* from, std::size_t size, std::size_t count, char* to)
   {
     for (std::size_t i = 0; i < count; ++i, from += size, to += size)
-      if (HOST_IS_BIG_ENDIAN)
-        std::reverse_copy (from, from + size, to);
-      else
-        std::memcpy (to, from, size);
+      copyNumber (from, size, false, to);
     return to;
   }
 

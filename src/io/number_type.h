@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -87,6 +88,16 @@ letterOf (NumberType type)
 }
 
 constexpr bool HOST_IS_BIG_ENDIAN = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
+
+/** \brief Copies a number from the machine's byte order to that of a file, or back. */
+inline void
+copyNumber (const char* from, std::size_t size, bool big_endian, char* to)
+{
+  if (big_endian == HOST_IS_BIG_ENDIAN)
+    std::memcpy (to, from, size);
+  else
+    std::reverse_copy (from, from + size, to);
+}
 
 /** \brief The value of a number in a file, in the byte order of the file. */
 template <typename T>

@@ -239,10 +239,8 @@ private:
   {
     if (text_)
       encodeWord (number, type, bytes);
-    else if (big_endian_ == HOST_IS_BIG_ENDIAN)
-      std::memcpy (bytes, number.data(), number.size());
     else
-      std::reverse_copy (number.begin(), number.end(), bytes);
+      copyNumber (number.data(), number.size(), big_endian_, bytes);
   }
 
   /** \brief Text may hold any number, whatever its type. */

@@ -19,9 +19,7 @@ template <typename T>
 void
 put (char* bytes, T number)
 {
-  std::memcpy (bytes, &number, sizeof (T));
-  if (HOST_IS_BIG_ENDIAN)
-    std::reverse (bytes, bytes + sizeof (T));
+  copyNumber (reinterpret_cast<const char*> (&number), sizeof (T), false, bytes);
 }
 
 /** \brief The steps that coordinates are whole multiples of, and where from. */
@@ -190,9 +188,7 @@ private:
     char* extra = point + las::POINT_SIZES[format_];
     for (const PointColumn& column : columns_) {
       const std::size_t size = sizeOf (column.type);
-      std::memcpy (extra, column.at (i), size);
-      if (HOST_IS_BIG_ENDIAN)
-        std::reverse (extra, extra + size);
+      copyNumber (column.at (i), size, false, extra);
       extra += size;
     }
   }
