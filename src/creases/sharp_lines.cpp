@@ -38,14 +38,17 @@ onSamples (const OrientedPoints& nodes, SharpLines lines)
 
 /** \brief What two planes may leave, by the noise of samples; all in spacings. Where
  * there is little, more would be curved faces, or lines that belong to a third one.
+ * What was gathered is rounded at edges whatever its noise.
  */
 double
-largestResidual (double noise)
+largestResidual (double noise, bool gathered)
 {
   constexpr double LOW_NOISE = 0.22;
   constexpr double HIGH_NOISE = 0.27;
   constexpr double IN_LOW_NOISE = 0.35;
   constexpr double IN_HIGH_NOISE = 0.55;
+  if (gathered)
+    return IN_HIGH_NOISE;
   const double high =
       std::clamp ((noise - LOW_NOISE) / (HIGH_NOISE - LOW_NOISE), 0.0, 1.0);
   return IN_LOW_NOISE + high * (IN_HIGH_NOISE - IN_LOW_NOISE);
@@ -62,7 +65,8 @@ linesOn (const OrientedPoints& points,
       points,
       graph,
       search,
-      findCreases (points, graph, search, largestResidual (noise), workers),
+      findCreases (
+          points, graph, search, largestResidual (noise, points.gathered), workers),
       workers);
 }
 

@@ -158,6 +158,7 @@ packNodes (const PointView& cloud, const SampleNodes& nodes, const Workers& work
     if (isValid (cloud, i))
       packed_index[i] = points.packed_index[nodes.node_of[i]];
   points.packed_index = std::move (packed_index);
+  points.gathered = true;
   return points;
 }
 

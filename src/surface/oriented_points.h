@@ -39,6 +39,8 @@ struct OrientedPoints {
   double extent = 0.0;
   /** a power of two to measure in where squares have to fit into floats (unitFor) */
   double unit = 1.0;
+  /** whether they stand for samples that tell nothing one by one (packNodes) */
+  bool gathered = false;
 
   std::size_t
   size () const
