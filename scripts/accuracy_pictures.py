@@ -12,6 +12,9 @@ from common import BLUE, OWN_FOLDER, PACKAGE, PICTURES, RED, quantise, run, scre
 
 SIZE = 460
 
+# z forward, y down
+FROM_SENSOR = ["-cam", "0.05,20/0,0,2/0,0,0/0,-1,0/0.9/460,460/0,0"]
+
 Scan = namedtuple("Scan", "name title file camera")
 SCANS = [
     Scan("bunny", "Stanford bunny, closed (`bunny00.off`)", PACKAGE / "bunny00.off", []),
@@ -28,6 +31,15 @@ if OWN_FOLDER:
              OWN_FOLDER / "table_scene_lms400_downsampled.pcd", []),
         Scan("street", "street, lidar (`velodyne_street.pcd`)", OWN_FOLDER / "velodyne_street.pcd",
              ["-cam", "1,400/0,0,0/-30,-25,35/0,0,1/0.5236/460,460/0,0"]),
+        Scan("room", "room, laser scan (`room_scan1.pcd`)", OWN_FOLDER / "room_scan1.pcd", []),
+        Scan("office", "office, depth camera (`office_organized.pcd`)",
+             OWN_FOLDER / "office_organized.pcd", FROM_SENSOR),
+        Scan("nyu", "room, depth camera (NYU; `public/sensor_nyu_depth.pcd`)",
+             OWN_FOLDER / "public/sensor_nyu_depth.pcd", FROM_SENSOR),
+        Scan("sun", "room, depth camera (SUN RGB-D; `public/sensor_sun_depth.pcd`)",
+             OWN_FOLDER / "public/sensor_sun_depth.pcd", FROM_SENSOR),
+        Scan("osd", "boxes on a table, depth camera (OSD; `public/sensor_osd_learn0.pcd`)",
+             OWN_FOLDER / "public/sensor_osd_learn0.pcd", FROM_SENSOR),
     ]
 
 # From where the sensor is: its flying pixels would fill the picture.

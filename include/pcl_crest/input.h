@@ -48,6 +48,8 @@ enum class SamplingFlaw {
   CLUMPS,
   /** depths in steps */
   DEPTH_STEPS,
+  /** positions in steps, along all axes */
+  GRID_STEPS,
   /** noise that neighbouring samples share */
   CORRELATED_NOISE,
   /** two sheets less than a spacing apart, neither of which is complete */
@@ -76,7 +78,7 @@ struct SamplingFindings {
   double resolving_spacing = 0.0;
   /** how many windows have each flaw, by SamplingFlaw; white noise is told of the
    * cloud, and 1 or 0 */
-  std::array<std::size_t, 6> flaws{};
+  std::array<std::size_t, 7> flaws{};
 };
 
 /** \brief What was found, in one line for the user; empty where too few samples are

@@ -128,6 +128,7 @@ describe (const SamplingFindings& sampling)
   json["flawed_windows"] = {
       {"clumps", flawed (SamplingFlaw::CLUMPS)},
       {"depth_steps", flawed (SamplingFlaw::DEPTH_STEPS)},
+      {"grid_steps", flawed (SamplingFlaw::GRID_STEPS)},
       {"correlated_noise", flawed (SamplingFlaw::CORRELATED_NOISE)},
       {"two_scans", flawed (SamplingFlaw::TWO_SCANS)},
       {"white_noise", flawed (SamplingFlaw::WHITE_NOISE)}};

@@ -36,6 +36,9 @@ constexpr double LEAST_PART = 0.9;
 /** Certainty of a line against that of its points: a line is a lucky one of the very
  * many that noise could draw. */
 constexpr double LINE_CONFIDENCE = 4.0;
+/** The same where points share their noise with the next, which standard errors do not
+ * know. */
+constexpr double CONFIDENCE_IN_SHARED_NOISE = 8.0;
 /** Least length of a line in widths of its crest. */
 constexpr double LEAST_ELONGATION = 0.75;
 /** The same where points are as certain as this. Among those of noise there are some
@@ -295,6 +298,9 @@ significantLines (const OrientedPoints& points,
                   std::vector<CrestLine> lines,
                   const Parameters& parameters)
 {
+  const double least_certainty =
+      (points.share_noise ? CONFIDENCE_IN_SHARED_NOISE : LINE_CONFIDENCE) *
+      parameters.confidence;
   const auto insignificant = [&] (const CrestLine& line) {
     const std::vector<index_t> on_line = pointsOf (line);
     Summary summary;
@@ -317,7 +323,7 @@ significantLines (const OrientedPoints& points,
     // Fits overlap: about one in each radius is independent of the others.
     const double certainty = z * std::sqrt (1.0 + line.length / radius);
     return line.length < std::max (radius, parameters.min_length * spacing) ||
-           certainty < LINE_CONFIDENCE * parameters.confidence ||
+           certainty < least_certainty ||
            elongation (points, evidence, line, summary) <
                (z > CERTAIN_Z ? LEAST_CERTAIN_ELONGATION : LEAST_ELONGATION);
   };

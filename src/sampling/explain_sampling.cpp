@@ -18,6 +18,8 @@ nameOf (SamplingFlaw flaw)
     return "samples lie in clumps or along lines";
   case SamplingFlaw::DEPTH_STEPS:
     return "depths come in steps";
+  case SamplingFlaw::GRID_STEPS:
+    return "positions are those of a grid";
   case SamplingFlaw::CORRELATED_NOISE:
     return "neighbours share their noise";
   case SamplingFlaw::TWO_SCANS:

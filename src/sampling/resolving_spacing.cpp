@@ -182,12 +182,15 @@ isRelief (const RegionNoise& noise)
 }
 
 void
-wishForNoise (const std::vector<const SampleWindow*>& region, Wish& wish)
+wishForNoise (const std::vector<const SampleWindow*>& region,
+              NoiseSearch search,
+              Wish& wish)
 {
   // All standard deviations in spacings.
   constexpr double MUCH = 0.25;
   constexpr double SOME = 0.12;
   constexpr double CORRELATED = 0.15;
+  constexpr double LEAST_OF_GRID = 0.15;
   constexpr double WIDEST = 5.0;
   const RegionNoise noise = noiseOf (region);
   const auto& [finest, middle, widest] = noise.variance;
@@ -210,6 +213,13 @@ wishForNoise (const std::vector<const SampleWindow*>& region, Wish& wish)
     wish.flaw = SamplingFlaw::TWO_SCANS;
     wish.surely_noisy = true;
     wish.smoothed = std::max (LEAST, ACROSS * sigma);
+    return;
+  }
+  if (search == NoiseSearch::GRID_SAMPLES && sigma > LEAST_OF_GRID) {
+    constexpr double OVER_STEPS = 2.5;
+    wish.flaw = SamplingFlaw::GRID_STEPS;
+    wish.surely_noisy = true;
+    wish.smoothed = OVER_STEPS;
     return;
   }
   const double stepped = count (&SampleWindow::is_stepped);
@@ -263,7 +273,7 @@ findResolvingSpacing (std::vector<SampleWindow> windows, NoiseSearch search)
       region.push_back (&windows[near[j].second]);
     wishForClumps (region, wishes[i]);
     if (search != NoiseSearch::NONE) {
-      wishForNoise (region, wishes[i]);
+      wishForNoise (region, search, wishes[i]);
       wishes[i].smoothed *=
           medianOver (region, [] (const SampleWindow& w) { return w.spacing; });
     }
@@ -281,9 +291,9 @@ findResolvingSpacing (std::vector<SampleWindow> windows, NoiseSearch search)
       part ([] (const Wish& w) { return w.surely_gathered; }) > CLUMPED;
   const bool noisy = part ([] (const Wish& w) { return w.surely_noisy; }) >
                          (search == NoiseSearch::NODES ? NODES_NOISY : NOISY) ||
-                     (search == NoiseSearch::SAMPLES && part ([] (const Wish& w) {
-                                                          return w.perhaps_noisy;
-                                                        }) > PERHAPS_NOISY);
+                     (search != NoiseSearch::NODES && part ([] (const Wish& w) {
+                                                        return w.perhaps_noisy;
+                                                      }) > PERHAPS_NOISY);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     const Wish& wish = wishes[i];
     if (clumped && wish.gathered > 0.0) {

@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/quantile.h"
+#include "sampling/grid_positions.h"
 #include "sampling/node_gathering.h"
 #include "sampling/resolving_spacing.h"
 #include "search/distinct_points.h"
@@ -119,6 +120,16 @@ spreadSpacings (const PointTree& tree,
   return spacings;
 }
 
+/** \brief The median of the windows' spacings, in their unit; 0 without windows. */
+double
+spacingOf (const std::vector<SampleWindow>& windows)
+{
+  std::vector<double> spacings;
+  for (const SampleWindow& window : windows)
+    spacings.push_back (window.empty_spacing);
+  return spacings.empty() ? 0.0 : quantile (spacings, 50);
+}
+
 /** \brief What the windows tell, in the unit of the cloud. */
 SamplingFindings
 summarize (std::vector<SampleWindow> windows, double unit)
@@ -221,12 +232,15 @@ resolveOnce (const PointView& cloud, bool again, const Workers& workers)
   const int widest = noise_tells
                          ? WINDOW_SIZES.back()
                          : std::max (WINDOW_SIZES[1], static_cast<int> (size / 16));
-  const NoiseSearch search = !noise_tells ? NoiseSearch::NONE
-                             : again      ? NoiseSearch::NODES
-                                          : NoiseSearch::SAMPLES;
+  NoiseSearch search = !noise_tells ? NoiseSearch::NONE
+                       : again      ? NoiseSearch::NODES
+                                    : NoiseSearch::SAMPLES;
   const std::vector<std::int32_t> places = tree->places();
   const auto probe = [&] (std::size_t count, std::vector<SampleWindow>& windows) {
     windows = measureWindows (*tree, places, count, widest, workers);
+    if (search == NoiseSearch::SAMPLES &&
+        lieOnGrid (distinct.positions, spacingOf (windows) * tree->unit))
+      search = NoiseSearch::GRID_SAMPLES;
     return findResolvingSpacing (windows, search);
   };
   const std::size_t few = std::clamp (size / SAMPLES_EACH, LEAST, FEW);

@@ -74,6 +74,18 @@ meanNormal (const PointView& cloud, const CurvePoint* first, const CurvePoint* l
   return sum.normalized().cast<float>();
 }
 
+/** \brief Whether most of what was gathered was for noise that neighbours share. */
+bool
+shareNoise (const SamplingFindings& findings)
+{
+  const auto windows = [&findings] (SamplingFlaw flaw) {
+    return findings.flaws[static_cast<std::size_t> (flaw)];
+  };
+  return windows (SamplingFlaw::DEPTH_STEPS) +
+             windows (SamplingFlaw::CORRELATED_NOISE) >
+         windows (SamplingFlaw::CLUMPS) + windows (SamplingFlaw::TWO_SCANS);
+}
+
 } // namespace
 
 OrientedPoints
@@ -159,6 +171,7 @@ packNodes (const PointView& cloud, const SampleNodes& nodes, const Workers& work
       packed_index[i] = points.packed_index[nodes.node_of[i]];
   points.packed_index = std::move (packed_index);
   points.gathered = true;
+  points.share_noise = shareNoise (nodes.findings);
   return points;
 }
 

@@ -41,6 +41,8 @@ struct OrientedPoints {
   double unit = 1.0;
   /** whether they stand for samples that tell nothing one by one (packNodes) */
   bool gathered = false;
+  /** whether the samples shared their noise with neighbours: points do, a little */
+  bool share_noise = false;
 
   std::size_t
   size () const

@@ -80,6 +80,7 @@ INSTANTIATE_TEST_SUITE_P (
                      Expected{"lidar of 128 beams", 0.85, 0.75, 0.3},
                      Expected{"structured light", 0.85, 0.85, 0.02},
                      Expected{"5 frames", 0.95, 0.75, 0.02},
-                     Expected{"two scans 0.5 h apart", 0.95, 0.95, 0.02}));
+                     Expected{"two scans 0.5 h apart", 0.95, 0.95, 0.02},
+                     Expected{"marching cubes of sides", 0.9, 0.75, 0.02}));
 
 } // namespace
