@@ -2,17 +2,18 @@
 // PCD, text, binary and compressed: x y z, normals and the viewpoint; all else that a
 // file may declare passes through. pcl::PCDReader is not used because it makes room for
 // as many points as the header announces, makes up what is missing in text, and refuses
-// fields without numbers, which drivers of lidars write between others. What is
-// compressed PCL's LZF unpacks.
+// fields without numbers, which drivers of lidars write between others.
 #include "io/file_content.h"
 #include "io/file_fields.h"
-#include "io/load_pcd_module.h"
+#include "io/lzf.h"
 #include "io/number_type.h"
 #include "io/point_field.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace pcl {
 namespace crest {
@@ -84,12 +85,41 @@ readCounts (const TextScanner& scanner)
   return counts;
 }
 
+std::string
+readTypes (const TextScanner& scanner)
+{
+  std::string types;
+  for (std::size_t i = 1; i < scanner.words().size(); ++i) {
+    const std::string_view word = scanner.words()[i];
+    if (word != "I" && word != "U" && word != "F")
+      scanner.fail ("a field has the type \"" + TextScanner::shown (word) +
+                    "\", but must have I, U or F");
+    types += word;
+  }
+  return types;
+}
+
+std::array<double, 7>
+readViewpoint (const TextScanner& scanner)
+{
+  std::array<double, 7> viewpoint{};
+  if (scanner.words().size() != 1 + viewpoint.size())
+    scanner.fail ("expected a viewpoint of 7 numbers");
+  for (std::size_t i = 0; i < viewpoint.size(); ++i) {
+    const std::string_view word = scanner.words()[i + 1];
+    viewpoint[i] = scanner.number<double> (word, "a number");
+    if (!std::isfinite (static_cast<float> (viewpoint[i])))
+      scanner.fail ("a number of the viewpoint is " + TextScanner::shown (word) +
+                    ", but must be one that a float can hold");
+  }
+  return viewpoint;
+}
+
 PcdHeader
 readHeader (TextScanner& scanner)
 {
   PcdHeader header;
-  bool has_width = false;
-  bool has_points = false;
+  std::set<std::string> keys;
   const auto number = [&scanner] {
     if (scanner.words().size() != 2)
       scanner.fail ("expected one number");
@@ -102,43 +132,37 @@ readHeader (TextScanner& scanner)
     if (!scanner.nextLine())
       scanner.fail ("the file ends within its header, before \"DATA\"");
     const std::vector<std::string_view>& words = scanner.words();
-    if (words[0] == "FIELDS" || words[0] == "COLUMNS")
+    const std::string key (words[0] == "COLUMNS" ? "FIELDS" : words[0]);
+    if (!keys.insert (key).second)
+      scanner.fail ("the header has the line " + TextScanner::shown (key) + " twice");
+    if (key == "FIELDS")
       header.fields.assign (words.begin() + 1, words.end());
-    else if (words[0] == "SIZE")
+    else if (key == "SIZE")
       header.sizes = readSizes (scanner);
-    else if (words[0] == "COUNT")
+    else if (key == "COUNT")
       header.counts = readCounts (scanner);
-    else if (words[0] == "TYPE")
-      for (std::size_t i = 1; i < words.size(); ++i)
-        header.types += words[i];
-    else if (words[0] == "WIDTH") {
+    else if (key == "TYPE")
+      header.types = readTypes (scanner);
+    else if (key == "WIDTH")
       header.width = number();
-      has_width = true;
-    }
-    else if (words[0] == "HEIGHT")
+    else if (key == "HEIGHT")
       header.height = number();
-    else if (words[0] == "POINTS") {
+    else if (key == "POINTS")
       header.points = number();
-      has_points = true;
-    }
-    else if (words[0] == "VIEWPOINT") {
-      if (words.size() != 8)
-        scanner.fail ("expected a viewpoint of 7 numbers");
-      for (std::size_t i = 1; i < words.size(); ++i)
-        header.viewpoint[i - 1] = scanner.number<double> (words[i], "a number");
-    }
-    else if (words[0] == "DATA" && words.size() == 2)
+    else if (key == "VIEWPOINT")
+      header.viewpoint = readViewpoint (scanner);
+    else if (key == "DATA" && words.size() == 2)
       header.coding = words[1];
-    else if (words[0] != "VERSION")
+    else if (key != "VERSION")
       scanner.fail ("expected a line of a PCD header, found \"" +
-                    TextScanner::shown (words[0]) + "\"");
+                    TextScanner::shown (key) + "\"");
   }
   checkPointCount (header.width * header.height);
-  if (!has_points)
+  if (keys.count ("POINTS") == 0)
     header.points = header.width * header.height;
   if (header.counts.empty())
     header.counts.assign (header.fields.size(), 1);
-  if (!has_width || header.points != header.width * header.height)
+  if (keys.count ("WIDTH") == 0 || header.points != header.width * header.height)
     throw ReadError ("its header announces " + std::to_string (header.points) +
                      " points, but a width of " + std::to_string (header.width) +
                      " and a height of " + std::to_string (header.height));
@@ -175,7 +199,7 @@ public:
     PlacedField next;
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
       const std::string& name = header.fields[i];
-      present += (present.empty() ? "" : " ") + name;
+      present += (present.empty() ? "" : " ") + TextScanner::shown (name);
       next.type = numberTypeOf (header.types[i], header.sizes[i]);
       next.size = header.sizes[i] * header.counts[i];
       const PointField field = pointFieldOf (name);
@@ -274,7 +298,15 @@ public:
     const auto& v = header_.viewpoint;
     content_.rows = header_.height;
     content_.viewpoint = Eigen::Vector3d (v[0], v[1], v[2]);
-    content_.orientation = Eigen::Quaterniond (v[3], v[4], v[5], v[6]).cast<float>();
+    Eigen::Quaterniond orientation (v[3], v[4], v[5], v[6]);
+    // Of as few digits as programs write.
+    constexpr double TOLERANCE = 0.01;
+    if (std::abs (orientation.norm() - 1.0) > TOLERANCE) {
+      orientation.setIdentity();
+      content_.notes.emplace_back ("The orientation of the viewpoint is left out: it "
+                                   "is no quaternion of length 1.");
+    }
+    content_.orientation = orientation.cast<float>();
     return std::move (content_);
   }
 
@@ -378,13 +410,7 @@ readBinary (const PcdHeader& header, TextScanner& scanner, PcdPoints& points)
     points.add (data.data(), false);
     return;
   }
-  std::string unpacked (size, '\0');
-  if (size != 0 && !loadLzf() (data.data(),
-                               static_cast<unsigned> (needed),
-                               unpacked.data(),
-                               static_cast<unsigned> (size)))
-    throw ReadError ("its data are not as its header says");
-  points.add (unpacked.data(), true);
+  points.add (unpackLzf (data, size).data(), true);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include <pcl_crest/normal_estimation.h>
 
 #include <pcl/common/point_tests.h>
-#include <pcl/console/print.h>
 
 #include "base/stopwatch.h"
 #include "io/file_faces.h"
@@ -18,21 +17,6 @@ namespace pcl {
 namespace crest {
 
 namespace {
-
-/** \brief Keeps PCL's decompression quiet: what they print names no file, and the one
- * clear message comes from readCloud.
- */
-class QuietConsole {
-public:
-  QuietConsole() { pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); }
-  QuietConsole (const QuietConsole&) = delete;
-  QuietConsole&
-  operator= (const QuietConsole&) = delete;
-  ~QuietConsole() { pcl::console::setVerbosityLevel (level_); }
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
-};
 
 bool
 hasUsableNormal (const pcl::PointNormal& point)
@@ -169,7 +153,6 @@ readCloud (const std::string& file,
            std::string& error,
            const ReadOptions& options)
 {
-  const QuietConsole quiet;
   try {
     const std::string invalid = explainInvalid (options);
     if (!invalid.empty())

@@ -6,6 +6,8 @@
 
 #include "support/temporary_directory.h"
 
+#include <algorithm>
+#include <cstring>
 #include <map>
 #include <random>
 
@@ -263,6 +265,106 @@ TEST_F (IoBadInput, PcdFieldsThatNoPointCanHave)
   EXPECT_EQ (": its header announces 2000000000 points, which take at least "
              "4278190104000000000 bytes, but only 1000000 follow",
              refusal ("a.pcd", pcd (255, "8", "1048576", 2000000000)));
+}
+
+TEST_F (IoBadInput, PcdHeadersThatContradictThemselves)
+{
+  const std::string rest = "WIDTH 4\nHEIGHT 1\nPOINTS 4\nDATA ascii\n"
+                           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const std::vector<std::array<std::string, 2>> mistakes{
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nSIZE 8 8 8\n" + rest,
+       ":4: the header has the line SIZE twice"},
+      {"FIELDS x y z\nCOLUMNS z y x\nSIZE 4 4 4\nTYPE F F F\n" + rest,
+       ":2: the header has the line FIELDS twice"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 9\n" + rest,
+       ":7: the header has the line POINTS twice"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE FF F\n" + rest,
+       ":3: a field has the type \"FF\", but must have I, U or F"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F\n" + rest,
+       ": its header needs FIELDS, SIZE, TYPE and COUNT of equal numbers"},
+      {PCD_HEADER + "VIEWPOINT 0 0 1e400 1 0 0 0\n" + rest,
+       ":6: a number of the viewpoint is 1e400, but must be one that a float can hold"},
+      {PCD_HEADER + "VIEWPOINT 0 nan 0 1 0 0 0\n" + rest,
+       ":6: a number of the viewpoint is nan, but must be one that a float can hold"},
+      {PCD_HEADER + "VIEWPOINT 0 0 0 1 0 0\n" + rest,
+       ":6: expected a viewpoint of 7 numbers"},
+      // Names of fields may be anything, and do not reach a terminal as they are.
+      {"FIELDS x \x1b[2J\x07 z\nSIZE 4 4 4\nTYPE F F F\n" + rest,
+       ": it has the fields \"x ?[2J? z\", but x, y and z are needed"}};
+  for (const auto& [content, message] : mistakes)
+    EXPECT_EQ (message, refusal ("a.pcd", content)) << content;
+}
+
+TEST_F (IoBadInput, PcdHeadersOfAnyOrder)
+{
+  const std::string rows = "0 0 0\n1 0 0\n# a comment\n0 1 0\n1\v1\v0\n";
+  std::vector<std::string> lines{"VERSION .7",
+                                 "FIELDS x y z",
+                                 "SIZE 4 4 4",
+                                 "TYPE F F F",
+                                 "COUNT 1 1 1",
+                                 "WIDTH 4",
+                                 "HEIGHT 1",
+                                 "VIEWPOINT 0 0 0 1 0 0 0",
+                                 "POINTS 4"};
+  std::mt19937 random (3);
+  for (int round = 0; round < 50; ++round) {
+    std::shuffle (lines.begin(), lines.end(), random);
+    std::string header;
+    for (const std::string& line : lines)
+      header += line + "\n";
+    InputCloud cloud;
+    std::string error;
+    ASSERT_TRUE (readCloud (
+        directory_.file ("a.pcd", header + "DATA ascii\n" + rows), 4, 1, cloud, error))
+        << error;
+    ASSERT_EQ (4U, cloud.points->size());
+    EXPECT_EQ (Eigen::Vector3f (1, 1, 0), (*cloud.points)[3].getVector3fMap());
+  }
+}
+
+TEST_F (IoBadInput, PcdDataThatLookLikeAHeader)
+{
+  // The first bytes of the points are text, which may say anything.
+  for (std::string data : {"\nCOUNT 9 9 9\nWIDTH 7\n", "\nPOINTS 2000000000\nDATA x"}) {
+    data.resize (48, '\0');
+    const std::string header = PCD_HEADER + "WIDTH 4\nHEIGHT 1\nPOINTS 4\n";
+    InputCloud cloud;
+    std::string error;
+    ASSERT_TRUE (readCloud (
+        directory_.file ("a.pcd", header + "DATA binary\n" + data), 4, 1, cloud, error))
+        << error;
+    ASSERT_EQ (4U, cloud.points->size());
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ (0, std::memcmp (&(*cloud.points)[i].x, data.data() + 12 * i, 12)) << i;
+  }
+}
+
+TEST_F (IoBadInput, PcdCompressedDataThatAreNone)
+{
+  const auto pcd = [] (const std::string& data) {
+    const std::string size (1, static_cast<char> (data.size()));
+    return PCD_HEADER + "WIDTH 4\nHEIGHT 1\nDATA binary_compressed\n" + size +
+           std::string ("\0\0\0\x30\0\0\0", 7) + data;
+  };
+  const std::string run = "\x1f" + std::string (32, 'a');
+  InputCloud cloud;
+  std::string error;
+  // Of 48 bytes the last are as those before: 2 + 14 of them, two of which repeat.
+  const std::string good = pcd (run + "\xe0\x07\x01");
+  EXPECT_TRUE (readCloud (directory_.file ("a.pcd", good), 4, 1, cloud, error))
+      << error;
+  const std::vector<std::array<std::string, 2>> mistakes{
+      {run, ": its compressed data hold 32 bytes, but its points take 48"},
+      {run + "\xe0", ": its compressed data are cut off"},
+      {run + "\x1f" + "abc", ": its compressed data are cut off"},
+      {run + run, ": its compressed data hold more than the 48 bytes of its points"},
+      {run + std::string ("\xe0\xff\0", 3),
+       ": its compressed data hold more than the 48 bytes of its points"},
+      {run + std::string ("\xe0\x07\x20", 3),
+       ": its compressed data refer to bytes before their first"}};
+  for (const auto& [data, message] : mistakes)
+    EXPECT_EQ (message, refusal ("a.pcd", pcd (data)));
 }
 
 TEST_F (IoBadInput, NoFileIsReadInPart)

@@ -30,6 +30,7 @@
 #include <functional>
 #include <limits>
 #include <locale>
+#include <random>
 #include <sstream>
 #include <tuple>
 
@@ -170,6 +171,44 @@ TEST_F (IoFormats, PcdOfEveryCoding)
   writer.writeBinaryCompressed (file, cloud);
   expectPoints (read (file));
   expectMarkedNormals (read (file));
+}
+
+TEST_F (IoFormats, PcdThatPclCompresses)
+{
+  // From what does not compress to what repeats over and over.
+  std::mt19937 random (9);
+  for (const unsigned values : {1U, 2U, 30U, 1000U, 1000000U}) {
+    pcl::PointCloud<pcl::PointNormal> cloud (3000, 1);
+    for (pcl::PointNormal& point : cloud) {
+      for (int axis = 0; axis < 3; ++axis)
+        point.data[axis] = static_cast<float> (random() % values);
+      point.getNormalVector3fMap() = Eigen::Vector3f::UnitZ();
+    }
+    const std::string file = directory_.file ("a.pcd");
+    pcl::PCDWriter().writeBinaryCompressed (file, cloud);
+    const InputCloud found = read (file);
+    ASSERT_EQ (cloud.size(), found.points->size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      ASSERT_EQ (cloud[i].getVector3fMap(), (*found.points)[i].getVector3fMap()) << i;
+  }
+}
+
+TEST_F (IoFormats, PcdOfAnOrientationThatIsNone)
+{
+  const std::string lines = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
+                            "WIDTH 4\nHEIGHT 1\nVIEWPOINT 1 2 3 ";
+  const std::string rows = "\nDATA ascii\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const InputCloud turned =
+      read (directory_.file ("a.pcd", lines + "0.6 0 0 0.8" + rows));
+  EXPECT_EQ (0.8F, turned.points->sensor_orientation_.z());
+  for (const char* const zero : {"0 0 0 0", "2 0 0 0", "1e38 1e38 1e38 1e38"}) {
+    const InputCloud cloud = read (directory_.file ("a.pcd", lines + zero + rows));
+    EXPECT_EQ (Eigen::Vector4f (1, 2, 3, 0), cloud.points->sensor_origin_);
+    EXPECT_EQ (1.0F, cloud.points->sensor_orientation_.w());
+    EXPECT_EQ ("The orientation of the viewpoint is left out: it is no quaternion of "
+               "length 1.",
+               cloud.notes.at (0));
+  }
 }
 
 TEST_F (IoFormats, PcdWithoutNormals)
