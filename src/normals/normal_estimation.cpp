@@ -10,6 +10,7 @@
 #include "normals/sharp_normals.h"
 #include "normals/single_view.h"
 #include "search/position_tree.h"
+#include "search/stray_points.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -285,9 +286,12 @@ estimateNormals (const NormalRequest& request,
 }
 
 NormalEstimate
-estimateNormals (const NormalRequest& request)
+estimateNormals (const NormalRequest& given)
 {
-  checkRequest (request);
+  checkRequest (given);
+  const NearPoints near_points (given.cloud);
+  NormalRequest request = given;
+  request.cloud = near_points.view();
   Progress progress (request.progress);
   progress.beginStage ("normals", 1.0);
   const Workers workers (request.threads, &progress);

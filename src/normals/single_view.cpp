@@ -49,17 +49,18 @@ isSeenFrom (const PlaneFits& fits,
   const std::size_t tried = (ranges.size() + step - 1) / step;
   std::atomic<std::size_t> hidden{0};
   forEachBlock (tried, workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-    std::vector<index_t> found;
     for (std::size_t k = first; k < last; ++k) {
       const std::size_t i = k * step;
       const double behind = ranges[i] - BEHIND * spacings[i];
       if (spacings[i] == 0.0 || behind <= 0.0)
         continue;
-      findWithin (*tree, directions[i].data(), COVERS * spacings[i] / ranges[i], found);
       const auto covers = [&] (index_t q) {
         return ranges[q] < ranges[i] - BEHIND * std::max (spacings[q], spacings[i]);
       };
-      if (std::any_of (found.begin(), found.end(), covers))
+      // The search ends with the first, as of points on a line to the viewpoint all are
+      // found.
+      if (anyWithin (
+              *tree, directions[i].data(), COVERS * spacings[i] / ranges[i], covers))
         ++hidden;
     }
   });

@@ -7,10 +7,13 @@
 #include "presets/analysis_contents.h"
 #include "presets/line_selection.h"
 #include "search/point_view.h"
+#include "search/stray_points.h"
 #include "surface/flat_places.h"
 #include "surface/surface_nodes.h"
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace pcl {
@@ -109,6 +112,23 @@ checkRequest (const ExtractionRequest& request)
     refuse (
         "The analysis that is set is that of another cloud: set none when the cloud "
         "has changed");
+}
+
+/** \brief Refuses what is too large or too small for floats of lengths and of
+ * curvatures, those of a surface of as many samples as there can be.
+ */
+void
+checkExtent (double extent)
+{
+  constexpr double LARGEST = std::numeric_limits<float>::max();
+  constexpr double SMALLEST = 1e-33;
+  if (extent == 0.0 || (extent >= SMALLEST && extent <= LARGEST))
+    return;
+  std::ostringstream message;
+  message << "The cloud is " << extent << " wide, but must be from " << SMALLEST
+          << " to " << LARGEST
+          << " for floats to hold its lengths and curvatures: scale it";
+  throw std::invalid_argument (message.str());
 }
 
 /** The part of all work, as near as anything tells beforehand, of each of the times
@@ -283,9 +303,12 @@ placesOfLines (const OrientedPoints& points, const SelectedLines& selected)
 } // namespace
 
 Extraction
-extractCrests (const ExtractionRequest& request)
+extractCrests (const ExtractionRequest& given)
 {
-  checkRequest (request);
+  checkRequest (given);
+  const NearPoints near_points (given.cloud);
+  ExtractionRequest request = given;
+  request.cloud = near_points.view();
   const Parameters& parameters = request.parameters;
   const Pipeline& pipeline = *findPipeline (parameters.preset);
   Progress progress (request.progress);
@@ -326,6 +349,7 @@ extractCrests (const ExtractionRequest& request)
       watch.stageDone ("sampling");
       progress.beginRest();
     }
+    checkExtent (points->extent);
     NeighborSource neighbors = neighborSource (request, *points, watch, progress);
     shape = own_shape =
         pipeline.analyzeSurface (*points, std::move (neighbors), parameters, &progress);
@@ -361,18 +385,18 @@ extractCrests (const ExtractionRequest& request)
     if (parameters.wanted[type])
       result.statistics.line_sizes[type] = traced->sizes[type];
   if (request.keep_analysis)
-    result.analysis = makeAnalysis (
-        {request.analysis ? contentsOf (*request.analysis).cloud
-                          : fingerprint (request.cloud, parameters.threads),
-         result.normals,
-         result.normal_check,
-         request.hints,
-         request.sign_trust != nullptr,
-         result.statistics.sampling,
-         points,
-         shape,
-         traced,
-         parameters});
+    result.analysis =
+        makeAnalysis ({request.analysis ? contentsOf (*request.analysis).cloud
+                                        : fingerprint (given.cloud, parameters.threads),
+                       result.normals,
+                       result.normal_check,
+                       request.hints,
+                       request.sign_trust != nullptr,
+                       result.statistics.sampling,
+                       points,
+                       shape,
+                       traced,
+                       parameters});
   if (own_shape) {
     result.curvatures = std::make_shared<const std::vector<PrincipalCurvature>> (
         std::move (own_shape->curvature));

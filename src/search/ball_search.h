@@ -4,6 +4,7 @@
 
 #include "search/point_tree.h"
 
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -20,6 +21,15 @@ findWithin (const PointTree& tree,
             const float* centre,
             double radius,
             std::vector<std::int32_t>& found);
+
+/** \brief Whether a condition holds of any of these points, by their indices: the first
+ * that is found of it ends the search.
+ */
+bool
+anyWithin (const PointTree& tree,
+           const float* centre,
+           double radius,
+           const std::function<bool (std::int32_t)>& holds);
 
 } // namespace crest
 } // namespace pcl

@@ -15,12 +15,14 @@
 #include "support/analytic_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
 using namespace pcl::crest;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
@@ -541,6 +543,39 @@ TEST (Feature, SearchMethodThatReturnsStrangeIndices)
   expectRefused (estimation, "returned points outside the cloud");
 }
 
+/** \brief Returns fewer distances than points. */
+class CarelessSearch : public pcl::search::BruteForce<pcl::PointNormal> {
+public:
+  using Base = pcl::search::BruteForce<pcl::PointNormal>;
+  explicit CarelessSearch (std::size_t distances) : distances_ (distances) {}
+
+  int
+  nearestKSearch (const pcl::PointNormal& point,
+                  int k,
+                  pcl::Indices& found,
+                  std::vector<float>& distances) const override
+  {
+    const int count = Base::nearestKSearch (point, k, found, distances);
+    distances.resize (distances_);
+    return count;
+  }
+
+private:
+  std::size_t distances_;
+};
+
+TEST (Feature, SearchMethodThatReturnsFewDistances)
+{
+  Estimation estimation;
+  estimation.setInputCloud (oracle::sample (oracle::wavyRidge(), 500));
+  for (const std::size_t distances : {0U, 3U}) {
+    estimation.setSearchMethod (pcl::make_shared<CarelessSearch> (distances));
+    expectRefused (estimation,
+                   "The search method failed: it returned 25 points with " +
+                       std::to_string (distances) + " distances");
+  }
+}
+
 /** \brief Throws what it is given. */
 template <typename Exception>
 class ThrowingSearch : public pcl::search::BruteForce<pcl::PointNormal> {
@@ -584,6 +619,8 @@ TEST (Feature, SearchMethodThatThrows)
     estimation.setSearchMethod (pcl::make_shared<ThrowingSearch<std::runtime_error>> (
         std::runtime_error ("out of luck")));
     expectRefused (estimation, "The search method failed: out of luck");
+    estimation.setSearchMethod (pcl::make_shared<ThrowingSearch<int>> (7));
+    expectRefused (estimation, "The search method failed: it threw no std::exception");
     estimation.setSearchMethod (pcl::make_shared<UnwillingSearch>());
     expectRefused (estimation, "The search method failed: out of luck");
   }
@@ -633,6 +670,58 @@ TEST_P (OfPreset, LargestAndSmallestUnitsGiveTheSameLabels)
     for (pcl::PointNormal& point : *scaled)
       point.getVector3fMap() *= scale;
     EXPECT_EQ (labelsOf (scaled), expected) << scale;
+  }
+}
+
+TEST_P (OfPreset, StraysDoNotDisturbTheOthers)
+{
+  const auto labelsOf = [] (const Cloud::ConstPtr& cloud) {
+    Estimation estimation;
+    estimation.setPreset (GetParam());
+    estimation.setInputCloud (cloud);
+    return ::labelsOf (estimation);
+  };
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  for (const float far : {1e5F, std::numeric_limits<float>::max()})
+    for (const std::size_t strays : {1U, 40U}) {
+      const Cloud::Ptr with_strays = pcl::make_shared<Cloud> (*cloud);
+      for (std::size_t i = 0; i < strays; ++i) {
+        pcl::PointNormal stray = (*cloud)[i];
+        // Some on the other side, so that they are more than any float apart.
+        stray.data[i % 3] = i % 2 == 0 ? far : -far;
+        with_strays->push_back (stray);
+      }
+      std::vector<std::uint32_t> found = labelsOf (with_strays);
+      ASSERT_EQ (expected.size() + strays, found.size());
+      for (std::size_t i = 0; i < strays; ++i)
+        EXPECT_EQ (LABEL_INVALID, found[expected.size() + i]);
+      found.resize (expected.size());
+      EXPECT_EQ (expected, found) << far << " " << strays;
+    }
+}
+
+TEST_P (OfPreset, CloudsThatFloatsDoNotMeasureAreRefused)
+{
+  Estimation estimation;
+  estimation.setPreset (GetParam());
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const Eigen::Vector3f first = (*cloud)[0].getVector3fMap();
+  float width = 0.0F;
+  for (const pcl::PointNormal& point : *cloud)
+    width = std::max (width, (point.getVector3fMap() - first).cwiseAbs().maxCoeff());
+  // From one side to the other more than the largest float, less than the least
+  // whose inverse is one, or hardly any bits.
+  for (const float scale :
+       {std::numeric_limits<float>::max() / width, 1e-36F, 1e-39F, 1e-43F}) {
+    const Cloud::Ptr scaled = pcl::make_shared<Cloud> (*cloud);
+    for (pcl::PointNormal& point : *scaled)
+      point.getVector3fMap() = scale * (point.getVector3fMap() - first);
+    if (scale > 1.0F)
+      for (std::size_t i = 0; i < scaled->size(); i += 2)
+        (*scaled)[i].getVector3fMap() *= -1.0F;
+    estimation.setInputCloud (scaled);
+    expectRefused (estimation, "for floats to hold its lengths and curvatures");
   }
 }
 
@@ -844,6 +933,17 @@ TEST (Feature, MistakesAreRefusedInWords)
     estimation.setInputCloud (pcl::make_shared<Cloud>());
     expectRefused (estimation, "The input cloud is empty");
   }
+  for (const std::array<std::uint32_t, 2> size :
+       {std::array<std::uint32_t, 2>{0, 0}, {3, 2}, {70000, 70000}}) {
+    const Cloud::Ptr contradictory = ridgeAndValley();
+    contradictory->width = size[0];
+    contradictory->height = size[1];
+    Estimation estimation;
+    estimation.setInputCloud (contradictory);
+    expectRefused (estimation,
+                   "has a width of " + std::to_string (size[0]) + " and a height of " +
+                       std::to_string (size[1]));
+  }
   const auto refused = [&] (const auto& set, const std::string& words) {
     Estimation estimation;
     estimation.setInputCloud (cloud);
@@ -922,6 +1022,20 @@ TEST (Feature, WhatBelongsToTheOtherPresetIsRefused)
   refusedByPaper ([] (Estimation& e) { e.setConfidence (3); }, "the confidence");
   refusedByPaper ([] (Estimation& e) { e.setPositions (Positions::SAMPLES); },
                   "where lines run");
+}
+
+TEST (Feature, TwoObjectsWorkInTwoThreads)
+{
+  const std::array<Cloud::ConstPtr, 2> clouds{
+      ridgeAndValley(), oracle::sample (oracle::bumpySphere(), 3000)};
+  std::array<std::vector<std::uint32_t>, 2> found;
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < clouds.size(); ++i)
+    threads.emplace_back ([&, i] { found[i] = labelsOf (clouds[i]); });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (std::size_t i = 0; i < clouds.size(); ++i)
+    EXPECT_EQ (labelsOf (clouds[i]), found[i]);
 }
 
 TEST (Feature, AfterAMistakeTheNextComputeWorks)

@@ -55,6 +55,35 @@ TEST (BallSearch, EqualsBruteForce)
     }
 }
 
+TEST (BallSearch, EndsWithTheFirstThatAConditionHoldsOf)
+{
+  std::mt19937 random (2);
+  std::vector<Eigen::Vector3f> points = randomPoints (2000, 1.0F, random);
+  // As of directions to points on one line.
+  points.insert (points.end(), 2000, Eigen::Vector3f (0.1F, 0.2F, 0.0F));
+  const auto tree = treeOver (points, 1);
+  for (const Eigen::Vector3f& centre : randomPoints (50, 1.0F, random))
+    for (const int part : {2, 17, 5000}) {
+      const auto holds = [part] (std::int32_t i) { return i % part == part - 1; };
+      const std::vector<std::int32_t> within = bruteForce (points, centre, 0.41);
+      std::size_t asked = 0;
+      const bool found = anyWithin (*tree, centre.data(), 0.41, [&] (std::int32_t i) {
+        EXPECT_TRUE (std::find (within.begin(), within.end(), i) != within.end());
+        ++asked;
+        return holds (i);
+      });
+      EXPECT_EQ (std::any_of (within.begin(), within.end(), holds), found);
+      if (!found)
+        EXPECT_EQ (within.size(), asked);
+    }
+  std::size_t asked = 0;
+  EXPECT_TRUE (anyWithin (*tree, points.back().data(), 1e-3, [&asked] (std::int32_t) {
+    ++asked;
+    return true;
+  }));
+  EXPECT_EQ (1U, asked);
+}
+
 TEST (BallSearch, FindsNothingAmongNothing)
 {
   const auto tree = treeOver ({}, 1);

@@ -47,7 +47,14 @@ findNeighbors (const pcl::search::Search<PointT>& search,
     search.radiusSearch (query, radius, found, distances);
     return;
   }
+  const auto checkDistances = [&found] {
+    if (distances.size() != found.size())
+      throw std::runtime_error ("it returned " + std::to_string (found.size()) +
+                                " points with " + std::to_string (distances.size()) +
+                                " distances");
+  };
   search.nearestKSearch (query, k + 1, found, distances);
+  checkDistances();
   if (found.size() <= static_cast<std::size_t> (k))
     return;
   ranked = distances;
@@ -59,6 +66,7 @@ findNeighbors (const pcl::search::Search<PointT>& search,
     constexpr double WIDER = 1.0 + 1e-5;
     const float squared = std::max (limit, std::numeric_limits<float>::min());
     search.radiusSearch (query, WIDER * std::sqrt (squared), found, distances);
+    checkDistances();
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -88,9 +96,11 @@ CrestLineEstimation<PointInT, PointOutT>::initCompute()
     return false;
   };
 
-  for (const auto& cloud : {input_, surface_})
-    if (cloud && cloud->size() > crest::MOST_POINTS)
-      return refuse (crest::tooManyPoints (cloud->size()));
+  for (const auto& cloud : {input_, surface_}) {
+    const std::string unfit = cloud ? crest::explainUnfit (*cloud) : std::string();
+    if (!unfit.empty())
+      return refuse (unfit);
+  }
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
   if (input_->empty())
@@ -157,6 +167,9 @@ CrestLineEstimation<PointInT, PointOutT>::prepareSearchMethod()
   catch (const std::exception& problem) {
     return refuse (std::string ("The search method failed: ") + problem.what());
   }
+  catch (...) {
+    return refuse ("The search method failed: it threw no std::exception");
+  }
   const auto* const organized =
       dynamic_cast<const pcl::search::OrganizedNeighbor<PointInT>*> (tree_.get());
   if (organized != nullptr && !organized->isValid())
@@ -217,6 +230,9 @@ CrestLineEstimation<PointInT, PointOutT>::givenSearch() const
     catch (const std::exception& problem) {
       throw std::runtime_error (std::string ("The search method failed: ") +
                                 problem.what());
+    }
+    catch (...) {
+      throw std::runtime_error ("The search method failed: it threw no std::exception");
     }
   };
 }

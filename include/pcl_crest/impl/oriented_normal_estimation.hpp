@@ -33,14 +33,23 @@ viewOf (const pcl::PointCloud<PointT>& cloud)
   return view;
 }
 
-/** \brief What to say of a cloud of more than MOST_POINTS. */
-inline std::string
-tooManyPoints (std::size_t points)
+/** \brief What to say of a cloud of more than MOST_POINTS, or one whose width and
+ * height are not those of its points; else nothing.
+ */
+template <typename PointT>
+std::string
+explainUnfit (const pcl::PointCloud<PointT>& cloud)
 {
-  return "A cloud of " + std::to_string (points) +
-         " points is too large for 32-bit indices, which tell " +
-         std::to_string (MOST_POINTS) +
-         " points apart: compute it in parts that overlap";
+  const std::string points = "A cloud of " + std::to_string (cloud.size()) + " points ";
+  if (cloud.size() > MOST_POINTS)
+    return points + "is too large for 32-bit indices, which tell " +
+           std::to_string (MOST_POINTS) +
+           " points apart: compute it in parts that overlap";
+  if (cloud.size() != std::size_t (cloud.width) * cloud.height)
+    return points + "has a width of " + std::to_string (cloud.width) +
+           " and a height of " + std::to_string (cloud.height) +
+           ": set these to its size and 1";
+  return {};
 }
 
 /** \brief What is known of the side of a cloud's normals.
@@ -95,9 +104,11 @@ OrientedNormalEstimation<PointInT, PointOutT>::initCompute()
     this->deinitCompute();
     return false;
   };
-  for (const auto& cloud : {input_, surface_})
-    if (cloud && cloud->size() > crest::MOST_POINTS)
-      return refuse (crest::tooManyPoints (cloud->size()));
+  for (const auto& cloud : {input_, surface_}) {
+    const std::string unfit = cloud ? crest::explainUnfit (*cloud) : std::string();
+    if (!unfit.empty())
+      return refuse (unfit);
+  }
   if (!PCLBase<PointInT>::initCompute())
     return refuse ("No input cloud was given: call setInputCloud first");
   if (input_->empty())
