@@ -57,8 +57,8 @@ checkOutputs (const Files& files, std::string& error)
         namespace fs = std::filesystem;
         std::error_code ignored;
         return fs::equivalent (other, file, ignored) ||
-               fs::weakly_canonical (fs::absolute (other), ignored) ==
-                   fs::weakly_canonical (fs::absolute (file), ignored);
+               fs::weakly_canonical (fs::absolute (other, ignored), ignored) ==
+                   fs::weakly_canonical (fs::absolute (file, ignored), ignored);
       };
       if (std::any_of (taken.begin(), taken.end(), same)) {
         error = file + " is named twice: inputs and outputs must be different files";
@@ -168,38 +168,31 @@ run (const Files& files, const Parameters& parameters, bool quiet)
   Stopwatch watch (times);
   const pcl::PointCloud<pcl::PrincipalCurvatures>& curvatures =
       estimation.getPrincipalCurvatures();
-  const auto written = [] (bool done, const std::string& file) {
-    if (done)
-      std::cout << "Wrote " << file << "\n";
-    return done;
-  };
-  if (!written (
-          writeLabels (
-              files.output, cloud, labels, curvatures, estimation.getLines(), error),
-          files.output))
+  OutputGroup outputs;
+  if (!writeLabels (
+          files.output, cloud, labels, curvatures, estimation.getLines(), error))
     return fail (PROGRAM, EXIT_FILE, error);
-  if (!files.lines.empty()) {
-    const bool done = writeLines (files.lines,
-                                  *estimation.getLineCloud(),
-                                  estimation.getLines(),
-                                  error,
-                                  cloud.placement);
-    for (const std::string& file : lineFiles (files.lines))
-      if (!written (done, file))
-        return fail (PROGRAM, EXIT_FILE, error);
-  }
+  if (!files.lines.empty() && !writeLines (files.lines,
+                                           *estimation.getLineCloud(),
+                                           estimation.getLines(),
+                                           error,
+                                           cloud.placement))
+    return fail (PROGRAM, EXIT_FILE, error);
   if (!files.curvatures.empty() &&
-      !written (
-          writeCurvatures (
-              files.curvatures, *cloud.points, curvatures, error, cloud.placement),
-          files.curvatures))
+      !writeCurvatures (
+          files.curvatures, *cloud.points, curvatures, error, cloud.placement))
     return fail (PROGRAM, EXIT_FILE, error);
   watch.stageDone ("writing");
   if (!files.statistics.empty() &&
-      !written (
-          writeStatistics (files.statistics, cloud, labels, estimation, times, error),
-          files.statistics))
+      !writeStatistics (files.statistics, cloud, labels, estimation, times, error))
     return fail (PROGRAM, EXIT_FILE, error);
+  if (!outputs.commit (error))
+    return fail (PROGRAM, EXIT_FILE, error);
+  for (const std::string& name :
+       {files.output, files.lines, files.curvatures, files.statistics})
+    if (!name.empty())
+      for (const std::string& file : lineFiles (name))
+        std::cout << "Wrote " << file << "\n";
   report (times);
   return EXIT_DONE;
 }
@@ -209,6 +202,7 @@ run (const Files& files, const Parameters& parameters, bool quiet)
 int
 main (int argc, char** argv)
 {
+  cleanUpOnSignals();
   Parameters parameters;
   Files files;
   bool quiet = false;

@@ -143,6 +143,7 @@ showWindow (const Request& request, const Parameters& parameters)
 int
 main (int argc, char** argv)
 {
+  cleanUpOnSignals();
   Parameters parameters;
   Request request;
   bool asked = false;

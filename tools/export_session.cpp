@@ -41,6 +41,7 @@ exportSession (const CrestSession& session,
       "pcl_crest_line_estimation " + quoted (input) + " " + quoted (labels_file) +
       " -lines " + quoted (lines_file) + " -stats " + quoted (statistics_file) +
       optionsOf (cloud) + optionsOf (session.getParameters()) + "\n";
+  OutputGroup outputs;
   return writeLabels (labels_file,
                       cloud,
                       labels,
@@ -60,7 +61,7 @@ exportSession (const CrestSession& session,
                           session.getStatistics(),
                           session.getStatistics().times,
                           error) &&
-         replaceFile (prefix + COMMAND, command, error);
+         replaceFile (prefix + COMMAND, command, error) && outputs.commit (error);
 }
 
 } // namespace crest

@@ -356,6 +356,9 @@ takeArguments (int argc,
   if (files != names.size())
     return "expected " + boost::join (names, " and ") + ", found " +
            std::to_string (files) + (files == 1 ? " file" : " files");
+  for (std::size_t i = 0; i < files; ++i)
+    if (arguments.files[i].empty())
+      return "expected the name of a file for " + names[i] + ", found \"\"";
   const auto given = [&arguments] (const std::string& name) {
     return arguments.options.count (name) != 0;
   };

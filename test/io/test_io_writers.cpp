@@ -25,6 +25,9 @@
 #include <nlohmann/json.hpp>
 #include <ogrsf_frmts.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -697,6 +700,101 @@ TEST_F (IoWriters, LinksAreFollowed)
   EXPECT_TRUE (std::filesystem::is_symlink (directory_.file ("link.txt")));
 }
 
+TEST_F (IoWriters, LinksThatLeadNowhereStayWhatTheyAre)
+{
+  std::string error;
+  const std::string link = directory_.file ("link.txt");
+  std::filesystem::create_symlink ("lost.txt", link);
+  for (const bool done :
+       {checkWritable (link, error), replaceFile (link, "new", error)}) {
+    EXPECT_FALSE (done);
+    EXPECT_EQ (link + ": it cannot be written: it is a symbolic link to lost.txt, "
+                      "which does not exist",
+               error);
+  }
+  EXPECT_EQ (std::vector<std::string>{"link.txt"}, directory_.names());
+}
+
+TEST_F (IoWriters, UnfinishedFilesAreForTheirOwner)
+{
+  namespace fs = std::filesystem;
+  const ::mode_t mask = ::umask (027);
+  std::string error;
+  {
+    OutputGroup group;
+    ASSERT_TRUE (replaceFile (directory_.file ("a.txt"), "new", error)) << error;
+    const std::vector<std::string> names = directory_.names();
+    ASSERT_EQ (1U, names.size());
+    EXPECT_EQ (0U, names[0].find (".pcl_crest_"));
+    EXPECT_EQ (fs::perms::owner_read | fs::perms::owner_write,
+               fs::status (directory_.file (names[0])).permissions());
+    ASSERT_TRUE (group.commit (error)) << error;
+  }
+  ::umask (mask);
+  EXPECT_EQ (std::vector<std::string>{"a.txt"}, directory_.names());
+  EXPECT_EQ (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read,
+             fs::status (directory_.file ("a.txt")).permissions());
+}
+
+TEST_F (IoWriters, AGroupOfFilesIsReplacedAsAWholeOrNotAtAll)
+{
+  std::string error;
+  const std::string old = directory_.file ("a.txt", "old");
+  const std::string added = directory_.file ("b.txt");
+  const std::string spoilt = directory_.file ("c.txt");
+  const auto write = [&] {
+    return replaceFile (old, "new", error) && replaceFile (added, "new", error) &&
+           replaceFile (spoilt, "new", error);
+  };
+  {
+    OutputGroup never_committed;
+    ASSERT_TRUE (write()) << error;
+  }
+  EXPECT_EQ (std::vector<std::string>{"a.txt"}, directory_.names());
+  {
+    OutputGroup group;
+    ASSERT_TRUE (write()) << error;
+    // What can be found out before, is; this comes after that.
+    std::filesystem::create_directory (spoilt);
+    EXPECT_FALSE (group.commit (error));
+  }
+  EXPECT_EQ (spoilt + ": it cannot be written: Is a directory", error);
+  EXPECT_EQ ("old", oracle::contentOf (old));
+  EXPECT_EQ ((std::vector<std::string>{"a.txt", "c.txt"}), directory_.names());
+
+  std::filesystem::remove (spoilt);
+  OutputGroup group;
+  ASSERT_TRUE (write()) << error;
+  EXPECT_EQ ("old", oracle::contentOf (old));
+  ASSERT_TRUE (group.commit (error)) << error;
+  EXPECT_EQ ((std::vector<std::string>{"a.txt", "b.txt", "c.txt"}), directory_.names());
+  EXPECT_EQ ("new", oracle::contentOf (old));
+}
+
+TEST_F (IoWriters, SignalsLeaveNothingUnfinished)
+{
+  const std::string file = directory_.file ("a.txt", "old");
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    const ::pid_t child = ::fork();
+    if (child == 0) {
+      cleanUpOnSignals();
+      OutputGroup group;
+      std::string error;
+      const bool done = replaceFile (file, "new", error) &&
+                        replaceFile (directory_.file ("b.txt"), "new", error);
+      if (done)
+        std::raise (signal);
+      ::_exit (1);
+    }
+    int status = 0;
+    ASSERT_EQ (child, ::waitpid (child, &status, 0));
+    ASSERT_TRUE (WIFSIGNALED (status));
+    EXPECT_EQ (signal, WTERMSIG (status));
+    EXPECT_EQ (std::vector<std::string>{"a.txt"}, directory_.names());
+    EXPECT_EQ ("old", oracle::contentOf (file));
+  }
+}
+
 TEST_F (IoWriters, WhatCannotBeWrittenIsNamed)
 {
   const std::string lost = directory_.file ("no/such/a.pcd");
@@ -714,6 +812,8 @@ TEST_F (IoWriters, WhatCannotBeWrittenIsNamed)
   EXPECT_FALSE (checkWritable (directory, error));
   EXPECT_EQ (directory + ": it cannot be written: it is a directory", error);
   EXPECT_FALSE (checkWritable ("/dev/full", error));
+  EXPECT_FALSE (checkWritable ("", error));
+  EXPECT_EQ ("\"\": it cannot be written: it has no name", error);
   EXPECT_TRUE (checkWritable (directory_.file ("new.pcd"), error)) << error;
   EXPECT_EQ (std::vector<std::string>{"d.pcd"}, directory_.names());
 
