@@ -9,6 +9,7 @@
 #include "io/number_type.h"
 #include "io/point_field.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -283,12 +284,25 @@ public:
       return by_field ? data + field.offset * header_.points + i * field.size
                       : data + i * step + field.offset;
     };
-    for (std::size_t i = 0; i < header_.points; ++i) {
-      std::array<double, 6> values{};
-      for (std::size_t j = 0; j < numbers_; ++j)
-        values[j] = decode (at (*fields_[j], i), fields_[j]->type, false);
-      add (values, color_ ? decodeAs<std::uint32_t> (at (*color_, i), false) : 0);
-    }
+    const auto addAll = [&] (const auto& numberAt) {
+      for (std::size_t i = 0; i < header_.points; ++i) {
+        std::array<double, 6> values{};
+        for (std::size_t j = 0; j < numbers_; ++j)
+          values[j] = numberAt (*fields_[j], i);
+        add (values, color_ ? decodeAs<std::uint32_t> (at (*color_, i), false) : 0);
+      }
+    };
+    // Most files have floats alone: then there is nothing to ask for each number.
+    if (std::all_of (fields_.begin(),
+                     fields_.begin() + static_cast<std::ptrdiff_t> (numbers_),
+                     [] (const auto& f) { return f->type == NumberType::FLOAT32; }))
+      addAll ([&at] (const PlacedField& field, std::size_t i) -> double {
+        return decodeAs<float> (at (field, i), false);
+      });
+    else
+      addAll ([&at] (const PlacedField& field, std::size_t i) {
+        return decode (at (field, i), field.type, false);
+      });
     passRecords (at, by_field);
   }
 

@@ -32,6 +32,9 @@ standsForNoData (double x)
   constexpr std::array<double, 4> WHOLE{-9999.0, -99999.0, -32767.0, -32768.0};
   constexpr double ROUND = 1e20;
   constexpr double LARGEST = 3.4e38;
+  constexpr double LEAST = 9999.0;
+  if (std::abs (x) < LEAST)
+    return false;
   // As a float or as a double.
   return std::abs (x / ROUND - 1.0) < 1e-7 || std::abs (x) >= LARGEST ||
          std::find (WHOLE.begin(), WHOLE.end(), x) != WHOLE.end();

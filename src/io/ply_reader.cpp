@@ -87,6 +87,8 @@ private:
         has_format = true;
       }
       else if (words[0] == "element" && words.size() == 3) {
+        if (words[1] == "vertex" && hasVertices())
+          scanner_.fail ("the header has the element \"vertex\" twice");
         elements_.push_back (
             {std::string (words[1]),
              scanner_.number<std::size_t> (words[2], "the number of elements"),
@@ -105,6 +107,14 @@ private:
       scanner_.fail ("the header has no format line");
     if (!text_)
       scanner_.forgetLines();
+  }
+
+  bool
+  hasVertices () const
+  {
+    return std::any_of (elements_.begin(), elements_.end(), [] (const Element& e) {
+      return e.name == "vertex";
+    });
   }
 
   void
@@ -219,8 +229,6 @@ private:
     std::vector<bool> passes (place.size(), false);
     const std::size_t used =
         placeOf (content_.has_normals ? PointField::RED : PointField::NX);
-    if (content_.points.size() != 0)
-      throw ReadError ("its header has the element \"vertex\" twice");
     for (std::size_t i = 0; i < place.size(); ++i) {
       const Property& property = element.properties[i];
       if (property.count_type != NumberType::NONE)

@@ -116,7 +116,12 @@ readText (const std::string& file)
 FileContent
 readContent (const std::string& file, const ReadOptions& options)
 {
-  std::string text = readText (file);
+  return parseContent (file, readText (file), options);
+}
+
+FileContent
+parseContent (const std::string& file, std::string text, const ReadOptions& options)
+{
   std::string extension = extensionOf (file);
   if (extension == ".gz")
     extension = extensionOf (std::filesystem::path (file).stem().string());

@@ -18,5 +18,9 @@ namespace crest {
 FileContent
 readContent (const std::string& file, const ReadOptions& options);
 
+/** \brief The same of a file whose bytes are in memory. */
+FileContent
+parseContent (const std::string& file, std::string text, const ReadOptions& options);
+
 } // namespace crest
 } // namespace pcl

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <unordered_map>
 
 namespace pcl {
@@ -16,13 +19,15 @@ namespace {
 constexpr std::size_t HEADER_SIZE = 84;
 constexpr std::size_t TRIANGLE_SIZE = 50;
 
+using CornerKey = std::array<std::uint64_t, 3>;
+
 struct CornerHash {
   std::size_t
-  operator() (const std::array<double, 3>& corner) const
+  operator() (const CornerKey& key) const
   {
     std::size_t hash = 0;
-    for (const double x : corner)
-      hash = hash * 1000003 + std::hash<double>() (x);
+    for (const std::uint64_t x : key)
+      hash = hash * 1000003 + (x ^ x >> 32U);
     return hash;
   }
 };
@@ -40,17 +45,28 @@ withoutLastBits (double x)
   return std::isfinite (rounded) ? rounded : x;
 }
 
+/** \brief A corner as bits, in which what is not a number is equal to itself. */
+CornerKey
+keyOf (const std::array<double, 3>& corner)
+{
+  CornerKey key{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    // So that -0 is 0.
+    const double x = std::isnan (corner[i]) ? std::numeric_limits<double>::quiet_NaN()
+                                            : withoutLastBits (corner[i]) + 0.0;
+    std::memcpy (&key[i], &x, sizeof (x));
+  }
+  return key;
+}
+
 /** \brief Collects triangles; points are in the order of their first corner. */
 class CornerMerger {
 public:
   void
   add (const std::array<double, 3>& corner)
   {
-    const auto [place, is_new] =
-        index_of_.emplace (std::array<double, 3>{withoutLastBits (corner[0]),
-                                                 withoutLastBits (corner[1]),
-                                                 withoutLastBits (corner[2])},
-                           static_cast<index_t> (content.points.size()));
+    const auto [place, is_new] = index_of_.emplace (
+        keyOf (corner), static_cast<index_t> (content.points.size()));
     if (is_new) {
       content.points.add (corner.data(), false);
       checkPointCount (content.points.size());
@@ -61,7 +77,7 @@ public:
   FileContent content;
 
 private:
-  std::unordered_map<std::array<double, 3>, index_t, CornerHash> index_of_;
+  std::unordered_map<CornerKey, index_t, CornerHash> index_of_;
 };
 
 FileContent

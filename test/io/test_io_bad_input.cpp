@@ -156,6 +156,9 @@ TEST_F (IoBadInput, MistakesAreNamedWithTheirLine)
       {"a.ply",
        {{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
          ": its vertices need the properties x, y and z"},
+        {"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
+         "element vertex 2\nproperty float x\n",
+         ":5: the header has the element \"vertex\" twice"},
         {"ply\nformat ascii 1.0\nproperty float x\n",
          ":3: a property comes after an element"},
         {"ply\nformat ascii 1.0\nelement vertex 1\n",

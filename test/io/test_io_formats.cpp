@@ -586,6 +586,16 @@ TEST_F (IoFormats, StlMergesCornersInTheirOrder)
   }
 }
 
+TEST_F (IoFormats, StlMergesCornersThatAreNoNumbers)
+{
+  std::string text = "solid a\n";
+  for (int i = 0; i < 50; ++i)
+    text += "facet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 0 1 -0\n"
+            "vertex -0 1 0\nendloop\nendfacet\n";
+  const InputCloud cloud = read (directory_.file ("a.stl", text + "endsolid a\n"));
+  EXPECT_EQ (2U, cloud.points->size());
+}
+
 TEST_F (IoFormats, StlThatBeginsWithABlankOrSolid)
 {
   for (const bool binary : {false, true}) {
@@ -640,6 +650,15 @@ TEST_F (IoFormats, NumbersOfAnySize)
   EXPECT_EQ (Eigen::Vector3f (0.5F, 5, 0), (*cloud.points)[4].getVector3fMap());
   EXPECT_FALSE (cloud.points->is_dense);
   EXPECT_EQ ("2 of 5 points are not finite.", cloud.notes.at (0));
+  // Too small or too large, but not by their powers of ten alone.
+  const std::string zeros (400, '0');
+  const InputCloud odd = read (directory_.file (
+      "b.xyz",
+      "-0." + zeros + "1 1" + zeros + "e-800 1e-99999999999999999999\n1" + zeros +
+          " 1" + zeros + "e-1 1e99999999999999999999\n1 2 3\n"));
+  EXPECT_TRUE ((*odd.points)[0].getVector3fMap().isZero (0.0F));
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_EQ (std::numeric_limits<float>::infinity(), (*odd.points)[1].data[axis]);
 }
 
 } // namespace
