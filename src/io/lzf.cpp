@@ -44,7 +44,7 @@ private:
 
 } // namespace
 
-std::string
+std::unique_ptr<char[]>
 unpackLzf (std::string_view data, std::size_t size)
 {
   // A first byte below this is that of a run of as many bytes as they are, and one
@@ -53,7 +53,8 @@ unpackLzf (std::string_view data, std::size_t size)
   constexpr std::size_t REFERENCES_FROM = 32;
   constexpr std::size_t LONGEST_IN_FIRST = 7;
   PackedBytes packed (data);
-  std::string unpacked (size, '\0');
+  // Not filled with zeros first.
+  std::unique_ptr<char[]> unpacked (new char[size]);
   std::size_t place = 0;
   const auto checkRoom = [&] (std::size_t count) {
     if (count > size - place)
@@ -65,7 +66,7 @@ unpackLzf (std::string_view data, std::size_t size)
     if (first < REFERENCES_FROM) {
       const std::string_view run = packed.take (first + 1);
       checkRoom (run.size());
-      std::memcpy (&unpacked[place], run.data(), run.size());
+      std::memcpy (unpacked.get() + place, run.data(), run.size());
       place += run.size();
       continue;
     }
@@ -77,7 +78,7 @@ unpackLzf (std::string_view data, std::size_t size)
     if (back > place)
       throw ReadError ("its compressed data refer to bytes before their first");
     checkRoom (count);
-    char* const to = &unpacked[place];
+    char* const to = unpacked.get() + place;
     if (back >= count)
       std::memcpy (to, to - back, count);
     else

@@ -2,7 +2,7 @@
 // The compression of PCD files: LZF (M. Lehmann, LibLZF).
 #pragma once
 
-#include <string>
+#include <memory>
 #include <string_view>
 
 namespace pcl {
@@ -15,7 +15,7 @@ namespace crest {
  *
  * \param[in] size of what they hold, in bytes
  */
-std::string
+std::unique_ptr<char[]>
 unpackLzf (std::string_view data, std::size_t size);
 
 } // namespace crest

@@ -424,7 +424,7 @@ readBinary (const PcdHeader& header, TextScanner& scanner, PcdPoints& points)
     points.add (data.data(), false);
     return;
   }
-  points.add (unpackLzf (data, size).data(), true);
+  points.add (unpackLzf (data, size).get(), true);
 }
 
 } // namespace
