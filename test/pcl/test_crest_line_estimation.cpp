@@ -790,6 +790,27 @@ TEST (Feature, FiftyThousandCoincidentPointsAreOne)
   EXPECT_EQ (labels.back(), expected[100]);
 }
 
+TEST (Feature, ACloudWithoutWidthAndHeightIsOneRow)
+{
+  const Cloud::Ptr cloud = ridgeAndValley();
+  const auto labelsOf = [&cloud] {
+    Estimation estimation;
+    estimation.setInputCloud (cloud);
+    Labels labels;
+    estimation.compute (labels);
+    return labels;
+  };
+  const Labels expected = labelsOf();
+  cloud->width = 0;
+  cloud->height = 0;
+  const Labels labels = labelsOf();
+  EXPECT_EQ (labels.width, cloud->size());
+  EXPECT_EQ (labels.height, 1U);
+  ASSERT_EQ (labels.size(), expected.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ASSERT_EQ (labels[i].label, expected[i].label) << i;
+}
+
 TEST (Feature, OrganizedCloudWithHoles)
 {
   // A depth camera at the origin looks at a wavy wall; some pixels see nothing.
@@ -934,7 +955,7 @@ TEST (Feature, MistakesAreRefusedInWords)
     expectRefused (estimation, "The input cloud is empty");
   }
   for (const std::array<std::uint32_t, 2> size :
-       {std::array<std::uint32_t, 2>{0, 0}, {3, 2}, {70000, 70000}}) {
+       {std::array<std::uint32_t, 2>{1, 1}, {3, 2}, {70000, 70000}}) {
     const Cloud::Ptr contradictory = ridgeAndValley();
     contradictory->width = size[0];
     contradictory->height = size[1];

@@ -34,7 +34,8 @@ viewOf (const pcl::PointCloud<PointT>& cloud)
 }
 
 /** \brief What to say of a cloud of more than MOST_POINTS, or one whose width and
- * height are not those of its points; else nothing.
+ * height are not those of its points; else nothing. Where they were never set (0), PCL
+ * takes a cloud for one row, too.
  */
 template <typename PointT>
 std::string
@@ -45,7 +46,8 @@ explainUnfit (const pcl::PointCloud<PointT>& cloud)
     return points + "is too large for 32-bit indices, which tell " +
            std::to_string (MOST_POINTS) +
            " points apart: compute it in parts that overlap";
-  if (cloud.size() != std::size_t (cloud.width) * cloud.height)
+  const std::size_t in_rows = std::size_t (cloud.width) * cloud.height;
+  if (in_rows != 0 && in_rows != cloud.size())
     return points + "has a width of " + std::to_string (cloud.width) +
            " and a height of " + std::to_string (cloud.height) +
            ": set these to its size and 1";
