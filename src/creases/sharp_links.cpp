@@ -20,7 +20,7 @@ linksFromSharpEnds (const OrientedPoints& points,
 
   std::vector<CrestEdge> links;
   const Forest lines (sharp);
-  NodeWalk walk (graph);
+  NodeWalk walk (graph, [&] (index_t q) { return membership[q]; });
   for (int v = 0; v < lines.size(); ++v) {
     if (lines.degree (v) != 1)
       continue;
@@ -28,14 +28,12 @@ linksFromSharpEnds (const OrientedPoints& points,
     const Eigen::Vector3d out =
         points.edge (lines.packed (lines.neighbors (v)[0]), end);
     walk.start (end);
-    std::size_t i = 0;
     for (int ring = 0; ring < RINGS; ++ring)
-      for (const std::size_t last = walk.size(); i < last; ++i)
-        walk.expand (walk[i]);
-    for (i = 0; i < walk.size(); ++i) {
-      const index_t q = walk[i];
-      if (membership[q] != Membership::CREST)
+      walk.advance ([] (Membership) { return true; });
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      if (walk[i] != Membership::CREST)
         continue;
+      const index_t q = walk.node (i);
       const Eigen::Vector3d e = points.edge (end, q);
       const double length = e.norm();
       if (length < LONGEST * graph.spacing[end] &&

@@ -24,8 +24,38 @@ constexpr double WINDOW = 2.5;
 
 /** Fewer nodes than this tell nothing about a profile. */
 constexpr std::size_t LEAST_NODES = 8;
+/** A walk ends with the ring that makes it so many: some twenty are in a round window,
+ * four times as many in a long one, but any number where a node has few beside it and a
+ * denser part of the cloud is near. */
+constexpr std::size_t MOST_NODES = 512;
 /** Nearer than this nodes are not beside a place, in units of the window. */
 constexpr double BESIDE = 0.3;
+
+/** \brief A node's fit as walks see it. */
+struct SeenFit {
+  /** the place on the fitted surface */
+  Eigen::Vector3d surface = Eigen::Vector3d::Zero();
+  double k1 = 0.0, k2 = 0.0, k1_error = 0.0;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  bool valid = false;
+};
+
+struct LoadFit {
+  const PyramidLevel& level;
+  const std::vector<ScaleFit>& fits;
+
+  SeenFit
+  operator() (index_t q) const
+  {
+    const ScaleFit& fit = fits[q];
+    return {level.positions[q].cast<double>() + fit.offset * fit.normal.cast<double>(),
+            fit.k1,
+            fit.k2,
+            fit.k1_error,
+            fit.normal,
+            fit.valid};
+  }
+};
 
 /** \brief Fits the polynomials of some nodes at a time. */
 class PolynomialFitter : public LaneBatch<PolynomialFitter> {
@@ -33,7 +63,7 @@ public:
   PolynomialFitter (const PyramidLevel& level,
                     const std::vector<ScaleFit>& fits,
                     double elongation)
-  : level_ (level), fits_ (fits), elongation_ (elongation), walk_ (level.graph)
+  : fits_ (fits), elongation_ (elongation), walk_ (level.graph, {level, fits})
   {}
 
   /** \brief Fits a node together with others, at the latest when finish is called. */
@@ -67,12 +97,6 @@ private:
     }
   }
 
-  /** \brief A node in the window. */
-  struct Inside {
-    index_t node;
-    double u, v, weight;
-  };
-
   /** \brief Sets the samples of a lane to what is in a node's window, and all of the
    * result but its coefficients. Returns false if there is too little.
    */
@@ -86,11 +110,6 @@ private:
     const Eigen::Vector3d t2 = normal.cross (t1);
     const double squared_unit = 1.0 / (window * window);
     const double squared_shortening = 1.0 / (elongation_ * elongation_);
-    const auto surface = [this] (index_t q) -> Eigen::Vector3d {
-      return level_.positions[q].cast<double>() +
-             fits_[q].offset * fits_[q].normal.cast<double>();
-    };
-    const Eigen::Vector3d origin = surface (node);
 
     double weight = 0.0;
     double variance = 0.0;
@@ -100,43 +119,31 @@ private:
     double first_u = 1.0;
     double last_u = -1.0;
     walk_.start (node);
-    for (std::size_t reached = 0; reached < walk_.size();) {
-      // Whether a node is in the window is as good as random: there is no branch for
-      // it.
-      inside_.resize (walk_.size());
-      std::size_t found = 0;
-      for (; reached < walk_.size(); ++reached) {
-        const index_t q = walk_[reached];
-        const ScaleFit& fit = fits_[q];
-        const Eigen::Vector3d d = surface (q) - origin;
-        const double u = d.dot (t1);
-        const double g =
-            1.0 - u * u - (d.squaredNorm() * squared_unit - u * u) * squared_shortening;
-        inside_[found] = {q, u, d.dot (t2), g * g};
-        const int accepted =
-            static_cast<int> (fit.valid) &
-            static_cast<int> (fit.normal.dot (own.normal) >= SAME_SHEET_COSINE) &
-            static_cast<int> (g > 0.0);
-        found += static_cast<std::size_t> (accepted);
-      }
-      if (count + found > samples_.size())
-        samples_.resize (2 * (count + found));
-      for (std::size_t i = 0; i < found; ++i) {
-        const Inside& in = inside_[i];
-        walk_.expand (in.node);
-        const ScaleFit& fit = fits_[in.node];
-        LaneSample& sample = samples_[count++];
-        sample.u[lane] = in.u;
-        sample.v[lane] = in.v;
-        sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
-        sample.weight[lane] = in.weight;
-        weight += in.weight;
-        variance += in.weight * fit.k1_error * fit.k1_error;
-        first_u = std::min (first_u, std::max (in.u, lowest_u));
-        lowest_u = std::min (lowest_u, in.u);
-        last_u = std::max (last_u, std::min (in.u, highest_u));
-        highest_u = std::max (highest_u, in.u);
-      }
+    const Eigen::Vector3d origin = walk_[0].surface;
+    const auto enter = [&] (const SeenFit& fit) {
+      const Eigen::Vector3d d = fit.surface - origin;
+      const double u = d.dot (t1);
+      const double g =
+          1.0 - u * u - (d.squaredNorm() * squared_unit - u * u) * squared_shortening;
+      if (!fit.valid || fit.normal.dot (own.normal) < SAME_SHEET_COSINE || g <= 0.0)
+        return false;
+      if (count == samples_.size())
+        samples_.resize (2 * count + 1);
+      LaneSample& sample = samples_[count++];
+      sample.u[lane] = u;
+      sample.v[lane] = d.dot (t2);
+      sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
+      sample.weight[lane] = g * g;
+      weight += g * g;
+      variance += g * g * fit.k1_error * fit.k1_error;
+      first_u = std::min (first_u, std::max (u, lowest_u));
+      lowest_u = std::min (lowest_u, u);
+      last_u = std::max (last_u, std::min (u, highest_u));
+      highest_u = std::max (highest_u, u);
+      return true;
+    };
+    enter (walk_[0]);
+    while (count < MOST_NODES && walk_.advance (enter)) {
     }
     result.window = window;
     result.first_u = static_cast<float> (first_u);
@@ -148,12 +155,10 @@ private:
     return true;
   }
 
-  const PyramidLevel& level_;
   const std::vector<ScaleFit>& fits_;
   const FitKernels& kernels_ = fitKernels();
   double elongation_;
-  NodeWalk walk_;
-  std::vector<Inside> inside_;
+  NodeWalk<LoadFit> walk_;
   std::vector<LaneSample> samples_;
   std::array<int, LANES> counts_{};
   std::array<ProfilePolynomial*, LANES> results_{};

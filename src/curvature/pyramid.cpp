@@ -16,6 +16,8 @@ namespace {
 
 /** \brief Rounds of local minima. Each leaves about a quarter of the free nodes free:
  * after this many it is one in a thousand or less, wherever the cloud is cut to tiles.
+ * Where symmetry changes smoothly, as on lattices, minima are few and more is left: for
+ * that there are as many rounds again without it.
  */
 constexpr int ROUNDS = 8;
 
@@ -23,6 +25,9 @@ constexpr int ROUNDS = 8;
  * a sharp edge or on two sheets are not one piece of surface.
  */
 constexpr float MERGE_COSINE = 0.5F;
+
+/** What of a priority is hash. */
+constexpr std::uint64_t HASH = 0xFFFFFFFFU;
 
 /** \brief How lopsided the star of a node is, then a hash, so that ties on a lattice
  * fall at random and do not build long chains: smaller comes first.
@@ -176,7 +181,13 @@ chooseCentres (const std::vector<Eigen::Vector3f>& positions,
       return std::make_pair (priorities[q], q) < std::make_pair (priorities[i], i);
     });
   };
-  for (int round = 0; round < ROUNDS; ++round) {
+  const auto any_free = [&roles] {
+    return std::find (roles.begin(), roles.end(), Role::FREE) != roles.end();
+  };
+  for (int round = 0; round < 2 * ROUNDS && any_free(); ++round) {
+    if (round == ROUNDS)
+      for (std::uint64_t& priority : priorities)
+        priority &= HASH;
     before = roles;
     forEachNode ([&] (index_t i) {
       if (before[i] == Role::FREE && becomesCentre (i))

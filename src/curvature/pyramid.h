@@ -36,7 +36,8 @@ finestLevel (const OrientedPoints& points, const SurfaceGraph& graph);
  *
  * They are found in a fixed number of rounds. In each, those of the nodes that are
  * still free become centres whose star is more symmetric than that of all their free
- * neighbours, and their neighbours are free no more. This depends on nothing but the
+ * neighbours, or in the last of the rounds whose hash is less, and their neighbours are
+ * free no more. This depends on nothing but the
  * surroundings of a node: not on the order of the points, their number, or workers, and
  * not on scale or (but for ties) rotation. What is free after the last round is a
  * centre of its own. Neighbours across a sharp edge or on two sheets, which are no one

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 namespace pcl {
 namespace crest {
@@ -36,13 +36,30 @@ constexpr int MOST_FITS = 3;
 constexpr double TAKEN_FREEDOM = 0.60;
 constexpr double CURVATURE_VARIANCE = 0.615;
 
+/** \brief A node as walks see it. */
+struct SeenNode {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  float weight = 0.0F;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+};
+
+struct LoadNode {
+  const PyramidLevel& level;
+
+  SeenNode
+  operator() (index_t q) const
+  {
+    return {level.positions[q], level.weights[q], level.normals[q]};
+  }
+};
+
 /** \brief Fits some nodes at a time. */
 class CubicFitter : public LaneBatch<CubicFitter> {
 public:
   CubicFitter (const PyramidLevel& level, int nearest)
   : level_ (level)
   , nearest_ (nearest)
-  , walk_ (level.graph)
+  , walk_ (level.graph, {level})
   , samples_ (static_cast<std::size_t> (nearest))
   {}
 
@@ -72,11 +89,17 @@ private:
 
   enum class State { OPEN, FITTED, DONE };
 
+  /** \brief A node that is fitted. */
+  struct Neighbor {
+    Eigen::Vector3f position = Eigen::Vector3f::Zero();
+    float weight = 0.0F;
+  };
+
   /** \brief What is being fitted in a lane. */
   struct Fit {
     index_t node = 0;
     ScaleFit* result = nullptr;
-    std::vector<index_t> nodes;
+    std::vector<Neighbor> neighbors;
     double radius = 0.0;
     Frame frame;
     /** sums over the neighbours of the kernel g, and of kernel squared times samples */
@@ -93,6 +116,19 @@ private:
     }
   };
 
+  /** \brief What a walk has reached: squared distance, index, and which of it. */
+  struct Candidate {
+    double squared;
+    index_t node;
+    std::uint32_t at;
+
+    bool
+    operator<(const Candidate& o) const
+    {
+      return std::tie (squared, node) < std::tie (o.squared, o.node);
+    }
+  };
+
   /** \brief Finds the nearest nodes of those that a walk over the surface reaches
    * first: a quarter more than are wanted, as rings are no circles. Returns false if
    * there are too few.
@@ -100,23 +136,20 @@ private:
   bool
   gather (index_t node, Fit& fit)
   {
-    const Eigen::Vector3f& p = level_.positions[node];
     const Eigen::Vector3f& n = level_.normals[node];
     // Just beyond right angles, whose other face is part of the crest.
     constexpr float NO_OTHER_SHEET = -0.02F;
-    const auto same_sheet = [&] (index_t q) {
-      return level_.normals[q].dot (n) > NO_OTHER_SHEET;
+    const auto same_sheet = [&n] (const SeenNode& q) {
+      return q.normal.dot (n) > NO_OTHER_SHEET;
     };
     const auto wanted = static_cast<std::size_t> (nearest_);
     const std::size_t enough = wanted + wanted / 4;
     walk_.start (node);
-    for (std::size_t i = 0, ring = 1; i < walk_.size() && walk_.size() < enough;
-         ring = walk_.size())
-      for (; i < ring; ++i)
-        walk_.expand (walk_[i], same_sheet);
+    while (walk_.size() < enough && walk_.advance (same_sheet)) {
+    }
     fit.node = node;
-    const double farthest = takeNearest (p, fit.nodes);
-    if (fit.nodes.size() < LEAST_NODES)
+    const double farthest = takeNearest (level_.positions[node], fit.neighbors);
+    if (fit.neighbors.size() < LEAST_NODES)
       return false;
     // A little more, so that the farthest node, too, has a weight.
     fit.radius = 1.02 * farthest;
@@ -128,14 +161,13 @@ private:
    * \return the distance of the farthest of them
    */
   double
-  takeNearest (const Eigen::Vector3f& p, std::vector<index_t>& nodes)
+  takeNearest (const Eigen::Vector3f& p, std::vector<Neighbor>& neighbors)
   {
     candidates_.resize (walk_.size());
     double farthest = 0.0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const index_t q = walk_[i];
-      const double squared = (level_.positions[q] - p).cast<double>().squaredNorm();
-      candidates_[i] = {squared, q};
+      const double squared = (walk_[i].position - p).cast<double>().squaredNorm();
+      candidates_[i] = {squared, walk_.node (i), static_cast<std::uint32_t> (i)};
       farthest = std::max (farthest, squared);
     }
     // Ranking takes the square of what there is, which is few but around hubs.
@@ -147,24 +179,75 @@ private:
     }
     const std::size_t count = candidates_.size();
     parts_.resize (count + KERNEL_SLACK);
+    const double scale = farthest > 0.0 ? 1.0 / farthest : 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      parts_[i] = static_cast<float> (scale * candidates_[i].squared);
+    const auto take = [&] (const auto& is_near) {
+      // Which of them are is as good as random: there is no branch for it.
+      neighbors.resize (count);
+      farthest = 0.0;
+      std::size_t taken = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const SeenNode& node = walk_[candidates_[i].at];
+        const bool near = is_near (i);
+        neighbors[taken] = {node.position, node.weight};
+        taken += near ? 1 : 0;
+        farthest = std::max (farthest, near ? candidates_[i].squared : 0.0);
+      }
+      neighbors.resize (taken);
+    };
+    const float limit = limitOfNearest (count);
+    if (limit >= 0.0F)
+      take ([&] (std::size_t i) { return parts_[i] <= limit; });
+    else {
+      rank (count);
+      take ([&] (std::size_t i) { return ranks_[i] < nearest_; });
+    }
+    return std::sqrt (farthest);
+  }
+
+  /** \brief A limit that as many parts as wanted, or all if they are fewer, are up to;
+   * negative if none is found, as where some are equal.
+   */
+  float
+  limitOfNearest (std::size_t count) const
+  {
+    constexpr int MOST_STEPS = 12;
+    if (count <= static_cast<std::size_t> (nearest_))
+      return 1.0F;
+    // Their number grows about as the squared distance does.
+    float low = 0.0F;
+    float high = 1.0F;
+    int low_count = 0;
+    int high_count = static_cast<int> (count);
+    for (int step = 0; step < MOST_STEPS; ++step) {
+      const float part = step % 2 == 0
+                             ? (static_cast<float> (nearest_ - low_count) + 0.5F) /
+                                   (static_cast<float> (high_count - low_count) + 1.0F)
+                             : 0.5F;
+      const float middle = low + part * (high - low);
+      int inside = 0;
+      for (std::size_t i = 0; i < count; ++i)
+        inside += parts_[i] <= middle ? 1 : 0;
+      if (inside == nearest_)
+        return middle;
+      (inside < nearest_ ? low : high) = middle;
+      (inside < nearest_ ? low_count : high_count) = inside;
+    }
+    return -1.0F;
+  }
+
+  /** \brief Ranks the parts. */
+  void
+  rank (std::size_t count)
+  {
     nodes_.resize (count + KERNEL_SLACK);
     ranks_.resize (count + KERNEL_SLACK);
-    const double scale = farthest > 0.0 ? 1.0 / farthest : 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      parts_[i] = static_cast<float> (scale * candidates_[i].first);
-      nodes_[i] = candidates_[i].second;
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      nodes_[i] = candidates_[i].node;
     const auto ranked = static_cast<int> (count);
     if (!search_kernels_.rankDistinct (parts_.data(), ranked, ranks_.data()))
       search_kernels_.rankTied (parts_.data(), nodes_.data(), ranked, ranks_.data());
-    farthest = 0.0;
-    nodes.clear();
-    for (std::size_t i = 0; i < count; ++i)
-      if (ranks_[i] < nearest_) {
-        nodes.push_back (candidates_[i].second);
-        farthest = std::max (farthest, candidates_[i].first);
-      }
-    return std::sqrt (farthest);
   }
 
   /** \brief One fit of each that is open; returns whether some have to be repeated with
@@ -221,12 +304,12 @@ private:
     const Eigen::Vector3d p = level_.positions[fit.node].cast<double>();
     fit.kernel = 0.0;
     fit.kernel_weight = 0.0;
-    for (std::size_t i = 0; i < fit.nodes.size(); ++i) {
-      const index_t q = fit.nodes[i];
-      const Eigen::Vector3d e = (level_.positions[q].cast<double>() - p) / fit.radius;
+    for (std::size_t i = 0; i < fit.neighbors.size(); ++i) {
+      const Neighbor& q = fit.neighbors[i];
+      const Eigen::Vector3d e = (q.position.cast<double>() - p) / fit.radius;
       const double g = 1.0 - e.squaredNorm();
       const double kernel = g * g;
-      const double weight = kernel * level_.weights[q];
+      const double weight = kernel * q.weight;
       LaneSample& sample = samples_[i];
       sample.u[lane] = e.dot (fit.frame.x);
       sample.v[lane] = e.dot (fit.frame.y);
@@ -235,7 +318,7 @@ private:
       fit.kernel += kernel;
       fit.kernel_weight += weight * kernel;
     }
-    for (std::size_t i = fit.nodes.size(); i < samples_.size(); ++i)
+    for (std::size_t i = fit.neighbors.size(); i < samples_.size(); ++i)
       samples_[i].clear (lane);
   }
 
@@ -272,9 +355,9 @@ private:
   const Kernels& search_kernels_ = kernelsFor (bestSimd());
   const FitKernels& kernels_ = fitKernels();
   int nearest_;
-  NodeWalk walk_;
-  /** what a walk has reached, with squared distances */
-  std::vector<std::pair<double, index_t>> candidates_;
+  NodeWalk<LoadNode> walk_;
+  /** what a walk has reached */
+  std::vector<Candidate> candidates_;
   /** of these as parts of the largest */
   std::vector<float> parts_;
   std::vector<std::int32_t> nodes_;

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 namespace pcl {
 namespace crest {
 
 namespace {
 
-/** \brief Tells whether two points are near each other along a graph: A* up to a
- * distance, which ends at the first way that is short enough.
+/** \brief Tells whether two points are near each other along a graph that grows: by the
+ * way up and down a tree of what it was at first, which is short enough for most, else
+ * by A* up to a distance, which ends at the first way that is.
  */
 class Reach {
 public:
@@ -22,17 +24,20 @@ public:
   {
     for (int v = 0; v < graph.size(); ++v)
       places_.push_back (points.positions[graph.packed (v)]);
+    growTrees();
   }
 
   /** \brief Whether there is a way between two points that is shorter than a limit. */
   bool
   within (int from, int to, double limit)
   {
-    return withinTwoEdges (from, to, limit) || search (from, to, limit);
+    return withinTwoEdges (from, to, limit) || withinTree (from, to, limit) ||
+           search (from, to, limit);
   }
 
 private:
   static constexpr double UNKNOWN = -1.0;
+  static constexpr int NONE = -1;
   struct Front {
     /** the least that a way through the point can have */
     double whole;
@@ -60,6 +65,46 @@ private:
     return std::any_of (steps.begin(), steps.end(), [&] (int v) {
       return reaches (v) && length (from, v) + length (v, to) < limit;
     });
+  }
+
+  /** \brief Gives every point but the first of each part the one before it on the way
+   * from there.
+   */
+  void
+  growTrees ()
+  {
+    parents_.assign (places_.size(), NONE);
+    depths_.assign (places_.size(), NONE);
+    std::vector<int> reached;
+    for (int root = 0; root < graph_.size(); ++root) {
+      if (depths_[root] != NONE)
+        continue;
+      depths_[root] = 0;
+      reached.assign (1, root);
+      for (std::size_t i = 0; i < reached.size(); ++i)
+        for (const int w : graph_.neighbors (reached[i]))
+          if (depths_[w] == NONE) {
+            depths_[w] = depths_[reached[i]] + 1;
+            parents_[w] = reached[i];
+            reached.push_back (w);
+          }
+    }
+  }
+
+  /** \brief The same along the trees. */
+  bool
+  withinTree (int from, int to, double limit) const
+  {
+    double way = 0.0;
+    while (from != to && way < limit) {
+      if (depths_[from] < depths_[to])
+        std::swap (from, to);
+      if (parents_[from] == NONE)
+        return false;
+      way += length (from, parents_[from]);
+      from = parents_[from];
+    }
+    return way < limit;
   }
 
   bool
@@ -103,6 +148,8 @@ private:
   const Forest& graph_;
   /** side by side, which those of the cloud are not */
   std::vector<Eigen::Vector3f> places_;
+  std::vector<int> parents_;
+  std::vector<int> depths_;
   std::vector<double> distance_;
   std::vector<int> reached_;
   /** a heap, the nearest first */

@@ -3,132 +3,208 @@
 
 #include "surface/surface_graph.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace crest {
 
-/** \brief Walks a graph from a node outward. What it has seen is kept in a small hash
- * table, so that neither making nor starting one takes time that grows with the graph.
+/** \brief Walks a graph from a node outward, ring by ring.
+ *
+ * Walks that start beside each other see mostly the same nodes. What they have seen is
+ * kept under small numbers, its places: stars as rows of bits, so that a ring is the
+ * union of some rows, and what is known of each node beside them, where the nearest
+ * cache has it. Neither making nor starting one takes time that grows with the graph.
+ *
+ * \tparam Load makes what is known of a node, a small value, from its index
  */
+template <typename Load>
 class NodeWalk {
 public:
-  explicit NodeWalk (const SurfaceGraph& graph) : graph_ (graph), table_ (1024, 0) {}
+  using Known = decltype (std::declval<const Load&>() (index_t{}));
+
+  NodeWalk (const SurfaceGraph& graph, const Load& load) : graph_ (graph), load_ (load)
+  {
+    forget();
+  }
 
   void
   start (index_t node)
   {
-    walk_ += NEXT_WALK;
-    size_ = 0;
-    seen_ = 0;
-    const index_t* const first = &node;
-    reach (first, first + 1);
+    // A quarter is room for what a walk sees that others did not.
+    if (4 * nodes_.size() > 3 * words_ * WORD)
+      forget();
+    std::fill (asked_.begin(), asked_.end(), 0);
+    const Place place = placeOf (node);
+    setBit (asked_.data(), place);
+    reached_.assign (1, place);
+    ring_ = 0;
   }
 
-  /** \brief Reaches the neighbours of a node that were not seen. */
-  void
-  expand (index_t node)
-  {
-    const Star star = graph_.star (node);
-    reach (star.begin(), star.end());
-  }
-
-  /** \brief The same of those that are accepted; others are not asked for again. */
+  /** \brief Reaches the neighbours of the last ring, of those that no ring has asked
+   * for before the ones that are accepted, which are the next ring.
+   * \return whether there are any
+   */
   template <typename Accept>
-  void
-  expand (index_t node, const Accept& accept)
+  bool
+  advance (const Accept& accept)
   {
-    const std::size_t first = size_;
-    expand (node);
-    const std::size_t last = size_;
-    size_ = first;
-    for (std::size_t i = first; i < last; ++i) {
-      const index_t q = reached_[i];
-      reached_[size_] = q;
-      size_ += accept (q) ? 1 : 0;
+    const std::size_t last = reached_.size();
+    for (std::size_t i = ring_; i < last; ++i)
+      if (row_of_[reached_[i]] == UNKNOWN)
+        loadStar (reached_[i]);
+    fresh_.assign (words_, 0);
+    for (; ring_ < last; ++ring_) {
+      const Bits* const row = rows_.data() + row_of_[reached_[ring_]];
+      for (std::size_t w = 0; w < words_; ++w)
+        fresh_[w] |= row[w];
     }
+    for (std::size_t w = 0; w < words_; ++w) {
+      Bits bits = fresh_[w] & ~asked_[w];
+      asked_[w] |= bits;
+      for (; bits != 0; bits &= bits - 1) {
+        const auto place = static_cast<Place> (
+            w * WORD + static_cast<std::size_t> (__builtin_ctzll (bits)));
+        if (accept (known_[place]))
+          reached_.push_back (place);
+      }
+    }
+    return reached_.size() > last;
   }
 
-  /** \brief The number of nodes reached so far. */
+  /** \brief The number of nodes reached so far, with the first. */
   std::size_t
   size () const
   {
-    return size_;
+    return reached_.size();
   }
 
-  /** \brief The i-th of the nodes in the order in which they were reached. */
+  /** \brief The i-th of them, ring by ring. */
   index_t
+  node (std::size_t i) const
+  {
+    return nodes_[reached_[i]];
+  }
+
+  /** \brief What is known of it. */
+  const Known&
   operator[] (std::size_t i) const
   {
-    return reached_[i];
+    return known_[reached_[i]];
   }
 
 private:
-  /** A slot has a node in its lower half and the walk that filled it in the upper;
-   * those of other walks count as empty. */
-  using Slot = std::uint64_t;
-  static constexpr Slot NEXT_WALK = Slot{1} << 32;
+  using Place = std::uint32_t;
+  using Bits = std::uint64_t;
+  static constexpr std::size_t WORD = 64;
+  /** Of a row, at first: twice as many whenever a walk sees more than it has bits. */
+  static constexpr std::size_t FEWEST_WORDS = 8;
+  static constexpr std::size_t UNKNOWN = std::numeric_limits<std::size_t>::max();
 
-  /** \brief Half of the table at least stays empty. */
-  void
-  makeRoom (std::size_t nodes)
+  /** \brief A node in the hash table, and its place. */
+  struct Slot {
+    index_t node = OrientedPoints::INVALID;
+    Place place = 0;
+  };
+
+  static void
+  setBit (Bits* row, Place place)
   {
-    while (2 * (seen_ + nodes) > table_.size())
-      grow();
-    if (size_ + nodes > reached_.size())
-      reached_.resize (2 * (size_ + nodes));
+    row[place / WORD] |= Bits{1} << place % WORD;
   }
 
   void
-  reach (const index_t* first, const index_t* last)
+  forget ()
   {
-    makeRoom (static_cast<std::size_t> (last - first));
-    index_t* const end = reached_.data() + size_;
-    std::size_t reached = 0;
-    for (; first != last; ++first) {
-      // Whether it was seen is as good as random: there is no branch for it.
-      end[reached] = *first;
-      reached += see (*first) ? 1 : 0;
+    asked_.assign (words_, 0);
+    table_.assign (2 * words_ * WORD, Slot());
+    nodes_.clear();
+    known_.clear();
+    row_of_.clear();
+    rows_.clear();
+  }
+
+  Place
+  placeOf (index_t node)
+  {
+    Slot* slot = find (node);
+    if (slot->node == node)
+      return slot->place;
+    if (nodes_.size() == words_ * WORD) {
+      widen();
+      slot = find (node);
     }
-    size_ += reached;
-    seen_ += reached;
+    *slot = {node, static_cast<Place> (nodes_.size())};
+    nodes_.push_back (node);
+    known_.push_back (load_ (node));
+    row_of_.push_back (UNKNOWN);
+    return slot->place;
   }
 
-  /** \brief Returns whether the node was not seen before. */
-  bool
-  see (index_t node)
+  /** \brief The slot of a node, or the one for it: half of the table stays empty. */
+  Slot*
+  find (index_t node)
   {
-    const Slot key = walk_ | static_cast<std::uint32_t> (node);
     const std::size_t mask = table_.size() - 1;
-    // Neighbours in the cloud have similar indices: they spread by themselves.
-    for (std::size_t i = static_cast<std::size_t> (node) & mask;; i = (i + 1) & mask) {
-      // Zero for the same node, less than a walk for another of this walk.
-      const Slot difference = table_[i] ^ key;
-      if (difference - 1 < NEXT_WALK - 1)
-        continue;
-      table_[i] = key;
-      return difference != 0;
-    }
+    // Of neighbours that the curve through the cloud has far apart the lowest bits are
+    // mostly the same.
+    const std::uint64_t spread =
+        0x9E3779B97F4A7C15U * static_cast<std::uint64_t> (node);
+    for (std::size_t i = spread >> WORD / 2 & mask;; i = (i + 1) & mask)
+      if (table_[i].node == node || table_[i].node == OrientedPoints::INVALID)
+        return &table_[i];
+  }
+
+  /** \brief Makes room for twice as many places. */
+  void
+  widen ()
+  {
+    std::vector<Bits> rows (2 * rows_.size(), 0);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      rows[i / words_ * 2 * words_ + i % words_] = rows_[i];
+    rows_.swap (rows);
+    for (std::size_t& row : row_of_)
+      row = row == UNKNOWN ? UNKNOWN : 2 * row;
+    words_ *= 2;
+    asked_.resize (words_, 0);
+    table_.assign (2 * words_ * WORD, Slot());
+    for (std::size_t place = 0; place < nodes_.size(); ++place)
+      *find (nodes_[place]) = {nodes_[place], static_cast<Place> (place)};
   }
 
   void
-  grow ()
+  loadStar (Place place)
   {
-    std::vector<Slot> old (2 * table_.size(), 0);
-    old.swap (table_);
-    for (const Slot slot : old)
-      if (slot >= walk_)
-        see (static_cast<index_t> (slot & (NEXT_WALK - 1)));
+    star_.clear();
+    for (const index_t q : graph_.star (nodes_[place]))
+      star_.push_back (placeOf (q)); // which may widen rows
+    row_of_[place] = rows_.size();
+    rows_.resize (rows_.size() + words_, 0);
+    Bits* const row = rows_.data() + row_of_[place];
+    for (const Place q : star_)
+      setBit (row, q);
   }
 
   const SurfaceGraph& graph_;
+  Load load_;
+  /** of a row */
+  std::size_t words_ = FEWEST_WORDS;
   std::vector<Slot> table_;
-  /** in the upper half, as in slots */
-  Slot walk_ = 0;
-  std::vector<index_t> reached_;
-  std::size_t size_ = 0;
-  /** more than were reached, where not all were accepted */
-  std::size_t seen_ = 0;
+  /** by places: nodes, what is known of them, where the row of each begins */
+  std::vector<index_t> nodes_;
+  std::vector<Known> known_;
+  std::vector<std::size_t> row_of_;
+  std::vector<Bits> rows_;
+  std::vector<Place> star_;
+  /** what has been seen by this walk, and by its next ring */
+  std::vector<Bits> asked_;
+  std::vector<Bits> fresh_;
+  std::vector<Place> reached_;
+  /** where in these the last ring begins */
+  std::size_t ring_ = 0;
 };
 
 } // namespace crest

@@ -8,6 +8,7 @@
 #include "support/surface_stages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -65,6 +66,29 @@ TEST (Pyramid, NodesAreMeansOfTheirSamples)
                  1e-5);
       EXPECT_NEAR (level.normals[n].norm(), 1.0F, 1e-5F);
     }
+  }
+}
+
+TEST (Pyramid, LatticesHaveFewerNodesOnEachLevel)
+{
+  // A Fibonacci lattice, whose stars become less symmetric smoothly from place to
+  // place.
+  constexpr int LATTICE = 20000;
+  Cloud cloud;
+  for (int i = 0; i < LATTICE; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / LATTICE;
+    const double angle = M_PI * (1.0 + std::sqrt (5.0)) * i;
+    const double r = std::sqrt (1.0 - z * z);
+    pcl::PointNormal point;
+    point.getVector3fMap() = point.getNormalVector3fMap() =
+        Eigen::Vector3d (r * std::cos (angle), r * std::sin (angle), z).cast<float>();
+    cloud.push_back (point);
+  }
+  auto before = static_cast<double> (LATTICE);
+  for (const int number : {1, 2}) {
+    const auto size = static_cast<double> (levelOf (cloud, number).size());
+    EXPECT_GT (before / size, 3.5) << "level " << number;
+    before = size;
   }
 }
 
