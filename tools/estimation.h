@@ -27,8 +27,10 @@ setInput (const InputCloud& cloud,
           pcl::CrestLineEstimation<pcl::PointNormal>& estimation)
 {
   estimation.setInputCloud (cloud.points);
-  if (cloud.estimate)
+  if (cloud.estimate) {
     estimation.setSignTrust ({cloud.estimate, &cloud.estimate->trust});
+    estimation.setSampleNodes (cloud.estimate->nodes);
+  }
   else if (cloud.sampled.sides_agree)
     estimation.setSignTrust (
         std::make_shared<const std::vector<float>> (cloud.points->size(), 1.0F));

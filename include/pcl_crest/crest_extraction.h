@@ -25,6 +25,9 @@ struct ExtractionRequest {
    * CrestLine::sign_trust). With it normals are used as they are; null to have them
    * checked, and what contradicts its neighbours repaired (see NormalCheck) */
   const float* sign_trust = nullptr;
+  /** how the cloud was sampled, as found when its normals were estimated
+   * (NormalEstimate::nodes), which is then not measured again; null where it was not */
+  std::shared_ptr<const SampleNodes> nodes;
   /** for normals that are estimated, or divided about their side */
   NormalHints hints;
   Parameters parameters;

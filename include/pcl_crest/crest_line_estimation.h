@@ -314,6 +314,16 @@ public:
     sign_trust_ = std::move (trust);
   }
 
+  /** \brief Set how the surface was sampled, as crest::estimateNormals found it for
+   * this same cloud (NormalEstimate::nodes), which AUTO then does not measure again.
+   * Null to have it measured.
+   */
+  void
+  setSampleNodes (std::shared_ptr<const crest::SampleNodes> nodes)
+  {
+    nodes_ = std::move (nodes);
+  }
+
   /** \brief Set where the cloud was seen from, in its unit, for the side of normals
    * that compute estimates, and of given ones that are divided about it: sensor_origin_
    * of the surface by default, as OrientedNormalEstimation has it.
@@ -489,6 +499,7 @@ private:
   std::shared_ptr<const crest::SurfaceAnalysis> analysis_;
   pcl::PointCloud<pcl::Normal>::ConstPtr normals_;
   std::shared_ptr<const std::vector<float>> sign_trust_;
+  std::shared_ptr<const crest::SampleNodes> nodes_;
   std::optional<Eigen::Vector3f> viewpoint_;
   std::optional<Eigen::Vector3f> up_;
   Result result_;

@@ -87,6 +87,12 @@ struct SamplingFindings {
 PCL_CREST_EXPORT std::string
 explainSampling (const SamplingFindings& findings);
 
+/** \brief How a cloud was sampled, and what its samples were gathered to. The
+ * estimation of normals that gathers them has it (NormalEstimate::nodes); an extraction
+ * from the same cloud that is given it does not measure that again.
+ */
+struct SampleNodes;
+
 /** \brief Squared distances that differ by less than this part are equal. The equal
  * steps of a scanner or mesher are not quite equal in a file of six digits, nor in
  * floats, and less so after a change of unit: which is the shorter must not depend on

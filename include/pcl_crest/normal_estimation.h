@@ -5,6 +5,7 @@
 #include <pcl_crest/input.h>
 #include <pcl_crest/progress.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,6 +92,8 @@ struct NormalEstimate {
   std::vector<NormalPart> parts;
   /** whether all was seen from the viewpoint alone, which all normals face */
   bool single_view = false;
+  /** what samples were gathered to; null unless that was asked for */
+  std::shared_ptr<const SampleNodes> nodes;
 
   /** \brief How many normals there are whose sign is not known. */
   std::size_t

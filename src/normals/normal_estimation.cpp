@@ -295,10 +295,13 @@ estimateNormals (const NormalRequest& given)
   Progress progress (request.progress);
   progress.beginStage ("normals", 1.0);
   const Workers workers (request.threads, &progress);
-  NormalEstimate estimate = estimateNormals (
-      request,
-      request.gathers ? resolveSamples (request.cloud, workers) : SampleNodes(),
-      workers);
+  std::shared_ptr<const SampleNodes> nodes;
+  if (request.gathers)
+    nodes =
+        std::make_shared<const SampleNodes> (resolveSamples (request.cloud, workers));
+  NormalEstimate estimate =
+      estimateNormals (request, nodes ? *nodes : SampleNodes(), workers);
+  estimate.nodes = std::move (nodes);
   progress.finish();
   return estimate;
 }

@@ -92,6 +92,10 @@ checkRequest (const ExtractionRequest& request)
   const std::string invalid = explainInvalid (request.parameters);
   if (!invalid.empty())
     refuse ("Invalid parameter: " + invalid);
+  if (request.nodes && request.nodes->cloud != fingerprint (positionsOf (request.cloud),
+                                                            request.parameters.threads))
+    refuse ("How the cloud was sampled is set for another cloud, or one that has "
+            "changed: set what estimateNormals found for this one, or none");
   if (!request.analysis)
     return;
   const AnalysisContents& known = contentsOf (*request.analysis);
@@ -138,18 +142,20 @@ constexpr double RESOLVED = 0.05;
 /** \brief The nodes that the samples are gathered to where the preset does so, and no
  * search is given, which is over the samples.
  */
-SampleNodes
+std::shared_ptr<const SampleNodes>
 gatherWhereAsked (const ExtractionRequest& request,
                   const Pipeline& pipeline,
                   Progress& progress,
                   std::vector<StageTime>& times)
 {
   if (!pipeline.gathersSamples() || request.search)
-    return {};
+    return std::make_shared<const SampleNodes>();
+  if (request.nodes)
+    return request.nodes;
   progress.beginStage ("sampling", RESOLVED);
   Stopwatch watch (times);
-  SampleNodes nodes =
-      resolveSamples (request.cloud, {request.parameters.threads, &progress});
+  auto nodes = std::make_shared<const SampleNodes> (
+      resolveSamples (request.cloud, {request.parameters.threads, &progress}));
   watch.stageDone ("sampling");
   progress.beginRest();
   return nodes;
@@ -333,7 +339,9 @@ extractCrests (const ExtractionRequest& given)
   }
   else {
     PointView cloud = request.cloud;
-    const SampleNodes nodes = gatherWhereAsked (request, pipeline, progress, times);
+    const std::shared_ptr<const SampleNodes> gathered =
+        gatherWhereAsked (request, pipeline, progress, times);
+    const SampleNodes& nodes = *gathered;
     result.statistics.sampling = nodes.findings;
     provideNormals (request, nodes, progress, cloud, result);
     Stopwatch watch (times);

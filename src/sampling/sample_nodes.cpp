@@ -9,6 +9,7 @@
 #include "search/distinct_points.h"
 #include "search/kernels.h"
 #include "search/nearest_first.h"
+#include "search/point_view.h"
 #include "search/position_tree.h"
 
 #include <algorithm>
@@ -288,6 +289,7 @@ resolveSamples (const PointView& cloud, const Workers& workers)
   for (const index_t i : points)
     positions.push_back (cloud.positionOf (static_cast<std::size_t> (i)));
   SampleNodes nodes = resolveOnce (viewOf (positions), false, workers);
+  nodes.cloud = fingerprint (positionsOf (cloud), workers);
   for (int round = 1; round < ROUNDS && !nodes.isEmpty(); ++round) {
     SampleNodes again = resolveOnce (nodes.view(), true, workers);
     if (again.isEmpty())

@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -13,6 +14,8 @@ namespace crest {
 
 /** \brief What was found of a cloud's samples, and what they were gathered to. */
 struct SampleNodes {
+  /** of the cloud, without normals (see fingerprint) */
+  std::uint64_t cloud = 0;
   SamplingFindings findings;
   /** in the unit of the cloud; empty where samples will do */
   std::vector<Eigen::Vector3f> positions;

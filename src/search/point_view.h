@@ -4,6 +4,10 @@
 
 #include <pcl_crest/input.h>
 
+#include "base/progress.h"
+
+#include <cstdint>
+
 namespace pcl {
 namespace crest {
 
@@ -26,6 +30,21 @@ inline Eigen::Vector3d
 unitNormalOf (const PointView& cloud, std::size_t i)
 {
   return cloud.normalOf (i).cast<double>().stableNormalized();
+}
+
+/** \brief A number that differs, for all that is likely, where a position or a normal
+ * of two clouds does.
+ * \param[in] workers a number of threads, 0 for all processors
+ */
+std::uint64_t
+fingerprint (const PointView& cloud, const Workers& workers = 1);
+
+/** \brief The cloud without its normals. */
+inline PointView
+positionsOf (PointView cloud)
+{
+  cloud.normal = nullptr;
+  return cloud;
 }
 
 } // namespace crest

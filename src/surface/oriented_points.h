@@ -77,12 +77,5 @@ packOrientedPoints (const PointView& cloud, const Workers& workers = 1);
 OrientedPoints
 packNodes (const PointView& cloud, const SampleNodes& nodes, const Workers& workers);
 
-/** \brief A number that differs, for all that is likely, where a position or a normal
- * of two clouds does.
- * \param[in] workers as above
- */
-std::uint64_t
-fingerprint (const PointView& cloud, const Workers& workers = 1);
-
 } // namespace crest
 } // namespace pcl

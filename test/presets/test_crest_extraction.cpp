@@ -318,6 +318,45 @@ TEST (CrestExtraction, AnAnalysisSparesTheStagesThatAreTheSame)
       "has changed");
 }
 
+TEST (CrestExtraction, TakesOverHowTheCloudWasSampled)
+{
+  // Frames of the same places, whose samples are gathered to nodes.
+  Ridge ridge;
+  std::mt19937 random (2);
+  std::normal_distribution<float> noise (0.0F, 0.02F * Ridge::SPACING);
+  const std::vector<float> once = ridge.floats;
+  for (int frame = 0; frame < 4; ++frame)
+    for (std::size_t i = 0; i < once.size(); ++i)
+      ridge.floats.push_back (once[i] + (i % 6 < 3 ? noise (random) : 0.0F));
+  NormalRequest wanted;
+  wanted.cloud = ridge.view();
+  EXPECT_EQ (estimateNormals (wanted).nodes, nullptr);
+  wanted.gathers = true;
+  const NormalEstimate estimate = estimateNormals (wanted);
+  ASSERT_NE (estimate.nodes, nullptr);
+
+  ExtractionRequest request = requestFor (ridge.view());
+  const auto is_sampling = [] (const StageTime& time) {
+    return time.stage == "sampling";
+  };
+  const Extraction measured = extractCrests (request);
+  const std::vector<StageTime>& times = measured.statistics.times;
+  EXPECT_TRUE (std::any_of (times.begin(), times.end(), is_sampling));
+  request.nodes = estimate.nodes;
+  const Extraction taken = extractCrests (request);
+  const std::vector<StageTime>& fewer = taken.statistics.times;
+  EXPECT_FALSE (std::any_of (fewer.begin(), fewer.end(), is_sampling));
+  EXPECT_GT (taken.statistics.sampling.nodes, 0U);
+  EXPECT_EQ (taken.statistics.sampling.nodes, measured.statistics.sampling.nodes);
+  EXPECT_EQ (taken.labels, measured.labels);
+
+  const Ridge other;
+  request.cloud = other.view();
+  EXPECT_EQ (refusal<std::invalid_argument> (request),
+             "How the cloud was sampled is set for another cloud, or one that has "
+             "changed: set what estimateNormals found for this one, or none");
+}
+
 TEST (SurfaceAnalysis, KnowsTheSamples)
 {
   const Ridge ridge;

@@ -281,6 +281,7 @@ CrestLineEstimation<PointInT, PointOutT>::extract (PointCloudOut& output)
   request.cloud = surfaceView();
   if (sign_trust_)
     request.sign_trust = sign_trust_->data();
+  request.nodes = nodes_;
   request.hints = crest::hintsOf (*surface_, viewpoint_, up_);
   request.parameters = getParameters();
   request.search = givenSearch();
