@@ -114,11 +114,13 @@ profileSharpCrests (const OrientedPoints& points,
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (!profiles[i].curvature.valid)
       needed[i] = 1;
-  const std::vector<ScaleFit> fits =
-      fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, workers);
-  for (std::size_t i = 0; i < profiles.size(); ++i)
-    if (needed[i] != 0)
-      profiles[i] = profileOf (fits[i]);
+  if (std::find (needed.begin(), needed.end(), 1) != needed.end()) {
+    const std::vector<ScaleFit> fits =
+        fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, workers);
+    for (std::size_t i = 0; i < profiles.size(); ++i)
+      if (needed[i] != 0)
+        profiles[i] = profileOf (fits[i]);
+  }
   dropImages (points, lines, workers, profiles);
   for (const SharpNode& node : lines.nodes)
     profiles[node.point] =

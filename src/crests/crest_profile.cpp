@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace crest {
@@ -244,14 +245,13 @@ neededNodes (const PyramidLevel& level, const std::vector<Next>& next, int rings
 } // namespace
 
 std::vector<CrestProfile>
-profileCrests (const OrientedPoints& points,
-               const SurfaceGraph& graph,
-               const Workers& workers)
+profileCrests (const OrientedPoints& points, SurfaceGraph graph, const Workers& workers)
 {
   std::vector<CrestProfile> profiles = makeLarge (points.size(), CrestProfile());
   std::vector<Next> next (points.size(), Next::RESOLVE);
   std::vector<float> foot_errors = makeLarge (points.size(), 0.0F);
-  PyramidLevel level = finestLevel (points, graph);
+  const std::vector<float> spacing = std::move (graph.spacing);
+  PyramidLevel level = finestLevel (points, std::move (graph));
   int at_level = 0;
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
     if (workers.progress != nullptr)
@@ -283,8 +283,8 @@ profileCrests (const OrientedPoints& points,
           placeFoot (points, from, sample, foot_errors[i], profiles[i]);
           return Next::NOTHING;
         }
-        const Next wanted = readProfile (
-            points, graph.spacing[i], from, sample, profiles[i], foot_errors[i]);
+        const Next wanted =
+            readProfile (points, spacing[i], from, sample, profiles[i], foot_errors[i]);
         return wanted == Next::PLACE && !places ? Next::NOTHING : wanted;
       };
       forEachBlock (points.size(),

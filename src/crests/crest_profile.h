@@ -72,7 +72,7 @@ struct CrestProfile {
  */
 std::vector<CrestProfile>
 profileCrests (const OrientedPoints& points,
-               const SurfaceGraph& graph,
+               SurfaceGraph graph,
                const Workers& workers);
 
 /** \brief The curvature of the surface at a sample, for those who ask for it rather

@@ -120,27 +120,34 @@ private:
     double last_u = -1.0;
     walk_.start (node);
     const Eigen::Vector3d origin = walk_[0].surface;
+    // Whether a node is in the window is as good as random: there is no branch for it.
     const auto enter = [&] (const SeenFit& fit) {
       const Eigen::Vector3d d = fit.surface - origin;
       const double u = d.dot (t1);
       const double g =
           1.0 - u * u - (d.squaredNorm() * squared_unit - u * u) * squared_shortening;
-      if (!fit.valid || fit.normal.dot (own.normal) < SAME_SHEET_COSINE || g <= 0.0)
-        return false;
+      const bool is_inside =
+          (static_cast<int> (fit.valid) &
+           static_cast<int> (fit.normal.dot (own.normal) >= SAME_SHEET_COSINE) &
+           static_cast<int> (g > 0.0)) != 0;
       if (count == samples_.size())
         samples_.resize (2 * count + 1);
-      LaneSample& sample = samples_[count++];
+      LaneSample& sample = samples_[count];
       sample.u[lane] = u;
       sample.v[lane] = d.dot (t2);
       sample.value[lane] = std::max (sign * fit.k1, sign * fit.k2);
       sample.weight[lane] = g * g;
-      weight += g * g;
-      variance += g * g * fit.k1_error * fit.k1_error;
-      first_u = std::min (first_u, std::max (u, lowest_u));
-      lowest_u = std::min (lowest_u, u);
-      last_u = std::max (last_u, std::min (u, highest_u));
-      highest_u = std::max (highest_u, u);
-      return true;
+      count += is_inside ? 1 : 0;
+      const double w = is_inside ? g * g : 0.0;
+      weight += w;
+      variance += w * fit.k1_error * fit.k1_error;
+      const double low = is_inside ? u : 1.0;
+      first_u = std::min (first_u, std::max (low, lowest_u));
+      lowest_u = std::min (lowest_u, low);
+      const double high = is_inside ? u : -1.0;
+      last_u = std::max (last_u, std::min (high, highest_u));
+      highest_u = std::max (highest_u, high);
+      return is_inside;
     };
     enter (walk_[0]);
     while (count < MOST_NODES && walk_.advance (enter)) {

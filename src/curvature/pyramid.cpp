@@ -121,13 +121,19 @@ coarserGraph (const SurfaceGraph& fine,
 
   SurfaceGraph graph;
   graph.offsets = makeOffsets (size);
-  auto first = repeated.begin();
+  // The last node that each was found to be a neighbour of.
+  std::vector<index_t> found_by (size, OrientedPoints::INVALID);
+  std::size_t at = 0;
   for (std::size_t a = 0; a < size; ++a) {
-    const auto last = repeated.begin() + static_cast<std::ptrdiff_t> (ends[a]);
-    std::sort (first, last);
-    graph.neighbors.insert (graph.neighbors.end(), first, std::unique (first, last));
+    const auto first = static_cast<std::ptrdiff_t> (graph.neighbors.size());
+    for (; at < ends[a]; ++at) {
+      index_t& finder = found_by[repeated[at]];
+      if (finder != static_cast<index_t> (a))
+        graph.neighbors.push_back (repeated[at]);
+      finder = static_cast<index_t> (a);
+    }
+    std::sort (graph.neighbors.begin() + first, graph.neighbors.end());
     graph.offsets.push_back (graph.neighbors.size());
-    first = last;
   }
   return graph;
 }
@@ -135,15 +141,13 @@ coarserGraph (const SurfaceGraph& fine,
 } // namespace
 
 PyramidLevel
-finestLevel (const OrientedPoints& points, const SurfaceGraph& graph)
+finestLevel (const OrientedPoints& points, SurfaceGraph graph)
 {
   PyramidLevel level;
   level.positions = copyLarge (points.positions);
   level.normals = copyLarge (points.normals);
   level.weights.assign (points.size(), 1.0F);
-  level.graph = unconnected (graph);
-  level.graph.offsets = graph.offsets;
-  level.graph.neighbors = copyLarge (graph.neighbors);
+  level.graph = std::move (graph);
   level.node_of.resize (points.size());
   std::iota (level.node_of.begin(), level.node_of.end(), 0);
   return level;

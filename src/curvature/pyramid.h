@@ -29,7 +29,7 @@ struct PyramidLevel {
 
 /** \brief The samples themselves as the finest level. */
 PyramidLevel
-finestLevel (const OrientedPoints& points, const SurfaceGraph& graph);
+finestLevel (const OrientedPoints& points, SurfaceGraph graph);
 
 /** \brief Chooses samples, or nodes, no two of them neighbours, of which every other
  * has one among its neighbours.

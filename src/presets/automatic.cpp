@@ -4,6 +4,7 @@
 // smooth crests.
 #include "presets/automatic.h"
 
+#include "base/large_arrays.h"
 #include "base/stopwatch.h"
 #include "creases/sharp_lines.h"
 #include "creases/sharp_links.h"
@@ -215,6 +216,7 @@ public:
     beginStage (progress, "curvature", CURVED);
     shape->profiles =
         profileSharpCrests (points, shape->graph, shape->sharp_lines, workers);
+    reserveLarge (shape->curvature, points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       shape->curvature.push_back (
           surfaceCurvature (shape->profiles[i], shape->graph.spacing[i]));

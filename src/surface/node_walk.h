@@ -40,7 +40,9 @@ public:
     std::fill (asked_.begin(), asked_.end(), 0);
     const Place place = placeOf (node);
     setBit (asked_.data(), place);
-    reached_.assign (1, place);
+    reached_.resize (nodes_.size());
+    reached_[0] = place;
+    size_ = 1;
     ring_ = 0;
   }
 
@@ -52,10 +54,12 @@ public:
   bool
   advance (const Accept& accept)
   {
-    const std::size_t last = reached_.size();
+    const std::size_t last = size_;
     for (std::size_t i = ring_; i < last; ++i)
       if (row_of_[reached_[i]] == UNKNOWN)
         loadStar (reached_[i]);
+    // Every place is reached once at most, and one more is written to.
+    reached_.resize (nodes_.size() + 1);
     fresh_.assign (words_, 0);
     for (; ring_ < last; ++ring_) {
       const Bits* const row = rows_.data() + row_of_[reached_[ring_]];
@@ -68,18 +72,19 @@ public:
       for (; bits != 0; bits &= bits - 1) {
         const auto place = static_cast<Place> (
             w * WORD + static_cast<std::size_t> (__builtin_ctzll (bits)));
-        if (accept (known_[place]))
-          reached_.push_back (place);
+        // Whether it is accepted may be as good as random: there is no branch for it.
+        reached_[size_] = place;
+        size_ += accept (known_[place]) ? 1 : 0;
       }
     }
-    return reached_.size() > last;
+    return size_ > last;
   }
 
   /** \brief The number of nodes reached so far, with the first. */
   std::size_t
   size () const
   {
-    return reached_.size();
+    return size_;
   }
 
   /** \brief The i-th of them, ring by ring. */
@@ -203,6 +208,7 @@ private:
   std::vector<Bits> asked_;
   std::vector<Bits> fresh_;
   std::vector<Place> reached_;
+  std::size_t size_ = 0;
   /** where in these the last ring begins */
   std::size_t ring_ = 0;
 };
