@@ -92,10 +92,6 @@ checkRequest (const ExtractionRequest& request)
   const std::string invalid = explainInvalid (request.parameters);
   if (!invalid.empty())
     refuse ("Invalid parameter: " + invalid);
-  if (request.nodes && request.nodes->cloud != fingerprint (positionsOf (request.cloud),
-                                                            request.parameters.threads))
-    refuse ("How the cloud was sampled is set for another cloud, or one that has "
-            "changed: set what estimateNormals found for this one, or none");
   if (!request.analysis)
     return;
   const AnalysisContents& known = contentsOf (*request.analysis);
@@ -116,6 +112,17 @@ checkRequest (const ExtractionRequest& request)
     refuse (
         "The analysis that is set is that of another cloud: set none when the cloud "
         "has changed");
+}
+
+/** \brief Refuses what another cloud was found to be sampled like. */
+void
+checkNodes (const ExtractionRequest& request)
+{
+  if (request.nodes && request.nodes->cloud != fingerprint (positionsOf (request.cloud),
+                                                            request.parameters.threads))
+    throw std::invalid_argument (
+        "How the cloud was sampled is set for another cloud, or one that has changed: "
+        "set what estimateNormals found for this one, or none");
 }
 
 /** \brief Refuses what is too large or too small for floats of lengths and of
@@ -315,6 +322,7 @@ extractCrests (const ExtractionRequest& given)
   const NearPoints near_points (given.cloud);
   ExtractionRequest request = given;
   request.cloud = near_points.view();
+  checkNodes (request);
   const Parameters& parameters = request.parameters;
   const Pipeline& pipeline = *findPipeline (parameters.preset);
   Progress progress (request.progress);

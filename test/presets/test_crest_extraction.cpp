@@ -328,6 +328,8 @@ TEST (CrestExtraction, TakesOverHowTheCloudWasSampled)
   for (int frame = 0; frame < 4; ++frame)
     for (std::size_t i = 0; i < once.size(); ++i)
       ridge.floats.push_back (once[i] + (i % 6 < 3 ? noise (random) : 0.0F));
+  // What is astray is set apart by both.
+  ridge.floats.insert (ridge.floats.end(), {1e7F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F});
   NormalRequest wanted;
   wanted.cloud = ridge.view();
   EXPECT_EQ (estimateNormals (wanted).nodes, nullptr);
