@@ -191,6 +191,8 @@ wishForNoise (const std::vector<const SampleWindow*>& region,
   constexpr double SOME = 0.12;
   constexpr double CORRELATED = 0.15;
   constexpr double LEAST_OF_GRID = 0.15;
+  // Kurtosis, of thin parts.
+  constexpr double OF_TWO_SHEETS = 1.9;
   constexpr double WIDEST = 5.0;
   const RegionNoise noise = noiseOf (region);
   const auto& [finest, middle, widest] = noise.variance;
@@ -215,7 +217,8 @@ wishForNoise (const std::vector<const SampleWindow*>& region,
     wish.smoothed = std::max (LEAST, ACROSS * sigma);
     return;
   }
-  if (search == NoiseSearch::GRID_SAMPLES && sigma > LEAST_OF_GRID) {
+  if (search == NoiseSearch::GRID_SAMPLES && sigma > LEAST_OF_GRID &&
+      noise.kurtosis > OF_TWO_SHEETS) {
     constexpr double OVER_STEPS = 2.5;
     wish.flaw = SamplingFlaw::GRID_STEPS;
     wish.surely_noisy = true;
@@ -229,8 +232,8 @@ wishForNoise (const std::vector<const SampleWindow*>& region,
   // more; relief goes on. Relief has nothing at the finest scale either.
   const bool like_noise = !isRelief (noise) && middle > 1.2 * finest &&
                           widest - finest < 4.0 * (middle - finest) &&
-                          correlation[0] > CORRELATED && noise.kurtosis > 1.9 &&
-                          noise.kurtosis < 4.2;
+                          correlation[0] > CORRELATED &&
+                          noise.kurtosis > OF_TWO_SHEETS && noise.kurtosis < 4.2;
   wish.surely_noisy =
       sigma > MUCH && (steps || (like_noise && finest > 0.16 * widest &&
                                  correlation[2] < 0.6 * correlation[0]));

@@ -32,15 +32,15 @@ verticesOf (oracle::GridValues values)
   return positions;
 }
 
-/** \brief All places of a grid on the surface of a cube. */
+/** \brief All places of a grid on the surface of a box with a square base. */
 Positions
-gridOnCube (int steps)
+gridOnBox (int steps, int height)
 {
   Positions positions;
   for (int x = 0; x <= steps; ++x)
     for (int y = 0; y <= steps; ++y)
-      for (int z = 0; z <= steps; ++z)
-        if (std::min ({x, y, z}) == 0 || std::max ({x, y, z}) == steps)
+      for (int z = 0; z <= height; ++z)
+        if (std::min ({x, y, z}) == 0 || std::max (x, y) == steps || z == height)
           positions.emplace_back (x, y, z);
   return positions;
 }
@@ -80,7 +80,9 @@ TEST (GridPositions, AreSmoothedWhereTheyHideTheSurface)
   EXPECT_GT (nodes.findings.flaws[static_cast<std::size_t> (SamplingFlaw::GRID_STEPS)],
              0U);
   EXPECT_TRUE (resolve (verticesOf (oracle::GridValues::DISTANCES)).isEmpty());
-  EXPECT_TRUE (resolve (gridOnCube (40)).isEmpty());
+  // A cube, and a plate whose sides are in the same windows.
+  EXPECT_TRUE (resolve (gridOnBox (40, 40)).isEmpty());
+  EXPECT_TRUE (resolve (gridOnBox (70, 3)).isEmpty());
 }
 
 } // namespace
