@@ -121,16 +121,6 @@ spreadSpacings (const PointTree& tree,
   return spacings;
 }
 
-/** \brief The median of the windows' spacings, in their unit; 0 without windows. */
-double
-spacingOf (const std::vector<SampleWindow>& windows)
-{
-  std::vector<double> spacings;
-  for (const SampleWindow& window : windows)
-    spacings.push_back (window.empty_spacing);
-  return spacings.empty() ? 0.0 : quantile (spacings, 50);
-}
-
 /** \brief What the windows tell, in the unit of the cloud. */
 SamplingFindings
 summarize (std::vector<SampleWindow> windows, double unit)
@@ -233,24 +223,28 @@ resolveOnce (const PointView& cloud, bool again, const Workers& workers)
   const int widest = noise_tells
                          ? WINDOW_SIZES.back()
                          : std::max (WINDOW_SIZES[1], static_cast<int> (size / 16));
-  NoiseSearch search = !noise_tells ? NoiseSearch::NONE
-                       : again      ? NoiseSearch::NODES
-                                    : NoiseSearch::SAMPLES;
   const std::vector<std::int32_t> places = tree->places();
-  const auto probe = [&] (std::size_t count, std::vector<SampleWindow>& windows) {
-    windows = measureWindows (*tree, places, count, widest, workers);
-    if (search == NoiseSearch::SAMPLES &&
-        lieOnGrid (distinct.positions, spacingOf (windows) * tree->unit))
-      search = NoiseSearch::GRID_SAMPLES;
-    return findResolvingSpacing (windows, search);
-  };
   const std::size_t few = std::clamp (size / SAMPLES_EACH, LEAST, FEW);
-  std::vector<SampleWindow> windows;
-  ResolvingSpacing wanted = probe (few, windows);
+  std::vector<SampleWindow> windows =
+      measureWindows (*tree, places, few, widest, workers);
   result.findings = summarize (windows, tree->unit / distinct.scale);
+  const double spacing = result.findings.spacing * distinct.scale;
+  const auto on_grid = [&] {
+    return spacing > 0.0 && lieOnGrid (distinct.positions, spacing);
+  };
+  const NoiseSearch search = !noise_tells ? NoiseSearch::NONE
+                             : again      ? NoiseSearch::NODES
+                             : on_grid()  ? NoiseSearch::GRID_SAMPLES
+                                          : NoiseSearch::SAMPLES;
+  ResolvingSpacing wanted = findResolvingSpacing (windows, search);
   if (!wanted.asks())
     return result;
-  wanted = probe (std::clamp (size / SAMPLES_EACH_OF_MANY, few, MANY), windows);
+  windows = measureWindows (*tree,
+                            places,
+                            std::clamp (size / SAMPLES_EACH_OF_MANY, few, MANY),
+                            widest,
+                            workers);
+  wanted = findResolvingSpacing (windows, search);
   if (!wanted.asks())
     return result;
   std::vector<float> spacings = spreadSpacings (*tree, windows, wanted, workers);

@@ -56,9 +56,10 @@ labelsOf (Estimation& estimation)
 }
 
 std::vector<std::uint32_t>
-labelsOf (const Cloud::ConstPtr& cloud)
+labelsOf (const Cloud::ConstPtr& cloud, Preset preset = Preset::AUTO)
 {
   Estimation estimation;
+  estimation.setPreset (preset);
   estimation.setInputCloud (cloud);
   return labelsOf (estimation);
 }
@@ -657,32 +658,20 @@ TEST (Feature, OrganizedSearchOfAnUnorganizedCloudIsRefused)
 
 TEST_P (OfPreset, LargestAndSmallestUnitsGiveTheSameLabels)
 {
-  const auto labelsOf = [] (const Cloud::ConstPtr& cloud) {
-    Estimation estimation;
-    estimation.setPreset (GetParam());
-    estimation.setInputCloud (cloud);
-    return ::labelsOf (estimation);
-  };
   const Cloud::Ptr cloud = ridgeAndValley();
-  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  const std::vector<std::uint32_t> expected = labelsOf (cloud, GetParam());
   for (const float scale : {std::ldexp (1.0F, 120), std::ldexp (1.0F, -100)}) {
     const Cloud::Ptr scaled = pcl::make_shared<Cloud> (*cloud);
     for (pcl::PointNormal& point : *scaled)
       point.getVector3fMap() *= scale;
-    EXPECT_EQ (labelsOf (scaled), expected) << scale;
+    EXPECT_EQ (labelsOf (scaled, GetParam()), expected) << scale;
   }
 }
 
 TEST_P (OfPreset, StraysDoNotDisturbTheOthers)
 {
-  const auto labelsOf = [] (const Cloud::ConstPtr& cloud) {
-    Estimation estimation;
-    estimation.setPreset (GetParam());
-    estimation.setInputCloud (cloud);
-    return ::labelsOf (estimation);
-  };
   const Cloud::Ptr cloud = ridgeAndValley();
-  const std::vector<std::uint32_t> expected = labelsOf (cloud);
+  const std::vector<std::uint32_t> expected = labelsOf (cloud, GetParam());
   for (const float far : {1e5F, std::numeric_limits<float>::max()})
     for (const std::size_t strays : {1U, 40U}) {
       const Cloud::Ptr with_strays = pcl::make_shared<Cloud> (*cloud);
@@ -692,7 +681,7 @@ TEST_P (OfPreset, StraysDoNotDisturbTheOthers)
         stray.data[i % 3] = i % 2 == 0 ? far : -far;
         with_strays->push_back (stray);
       }
-      std::vector<std::uint32_t> found = labelsOf (with_strays);
+      std::vector<std::uint32_t> found = labelsOf (with_strays, GetParam());
       ASSERT_EQ (expected.size() + strays, found.size());
       for (std::size_t i = 0; i < strays; ++i)
         EXPECT_EQ (LABEL_INVALID, found[expected.size() + i]);

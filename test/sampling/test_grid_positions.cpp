@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace pcl::crest;
 using Positions = std::vector<Eigen::Vector3f>;
@@ -63,6 +64,20 @@ TEST (GridPositions, AreToldFromOthers)
     position = turn * position;
   EXPECT_FALSE (lieOnGrid (turned, SPACING));
   EXPECT_FALSE (lieOnGrid (sides, 5.0 * SPACING));
+}
+
+TEST (GridPositions, AreNotThoseOfManySamplesAnywhere)
+{
+  // So many that there is one at nearly every thousandth of a spacing.
+  std::mt19937 random (1);
+  std::uniform_real_distribution<float> place (0.0F, 10.0F);
+  Positions positions;
+  for (int i = 0; i < 200000; ++i) {
+    const float x = place (random);
+    const float y = place (random);
+    positions.emplace_back (x, y, place (random));
+  }
+  EXPECT_FALSE (lieOnGrid (positions, 1.0));
 }
 
 TEST (GridPositions, FarFromTheOriginAreTheSame)
