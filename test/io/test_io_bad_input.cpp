@@ -7,6 +7,7 @@
 #include "support/temporary_directory.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <random>
@@ -316,10 +317,11 @@ TEST_F (IoBadInput, PcdHeadersOfAnyOrder)
     std::string header;
     for (const std::string& line : lines)
       header += line + "\n";
+    header += "DATA ascii\n";
     InputCloud cloud;
     std::string error;
-    ASSERT_TRUE (readCloud (
-        directory_.file ("a.pcd", header + "DATA ascii\n" + rows), 4, 1, cloud, error))
+    ASSERT_TRUE (
+        readCloud (directory_.file ("a.pcd", header + rows), 4, 1, cloud, error))
         << error;
     ASSERT_EQ (4U, cloud.points->size());
     EXPECT_EQ (Eigen::Vector3f (1, 1, 0), (*cloud.points)[3].getVector3fMap());
@@ -331,15 +333,18 @@ TEST_F (IoBadInput, PcdDataThatLookLikeAHeader)
   // The first bytes of the points are text, which may say anything.
   for (std::string data : {"\nCOUNT 9 9 9\nWIDTH 7\n", "\nPOINTS 2000000000\nDATA x"}) {
     data.resize (48, '\0');
-    const std::string header = PCD_HEADER + "WIDTH 4\nHEIGHT 1\nPOINTS 4\n";
+    const std::string header =
+        PCD_HEADER + "WIDTH 4\nHEIGHT 1\nPOINTS 4\nDATA binary\n";
     InputCloud cloud;
     std::string error;
-    ASSERT_TRUE (readCloud (
-        directory_.file ("a.pcd", header + "DATA binary\n" + data), 4, 1, cloud, error))
+    ASSERT_TRUE (
+        readCloud (directory_.file ("a.pcd", header + data), 4, 1, cloud, error))
         << error;
-    ASSERT_EQ (4U, cloud.points->size());
-    for (std::size_t i = 0; i < 4; ++i)
-      EXPECT_EQ (0, std::memcmp (&(*cloud.points)[i].x, data.data() + 12 * i, 12)) << i;
+    std::array<Eigen::Vector3f, 4> expected;
+    std::memcpy (expected.data(), data.data(), sizeof (expected));
+    ASSERT_EQ (expected.size(), cloud.points->size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_EQ (expected[i], (*cloud.points)[i].getVector3fMap()) << i;
   }
 }
 

@@ -202,7 +202,8 @@ TEST_F (IoFormats, PcdOfAnOrientationThatIsNone)
       read (directory_.file ("a.pcd", lines + "0.6 0 0 0.8" + rows));
   EXPECT_EQ (0.8F, turned.points->sensor_orientation_.z());
   for (const char* const zero : {"0 0 0 0", "2 0 0 0", "1e38 1e38 1e38 1e38"}) {
-    const InputCloud cloud = read (directory_.file ("a.pcd", lines + zero + rows));
+    const InputCloud cloud = read (
+        directory_.file ("a.pcd", std::string (lines).append (zero).append (rows)));
     EXPECT_EQ (Eigen::Vector4f (1, 2, 3, 0), cloud.points->sensor_origin_);
     EXPECT_EQ (1.0F, cloud.points->sensor_orientation_.w());
     EXPECT_EQ ("The orientation of the viewpoint is left out: it is no quaternion of "
