@@ -28,6 +28,25 @@ wayTo (const CreaseNode& from, const Eigen::Vector3d& place)
   return {along, (e - along * from.direction).norm()};
 }
 
+/** \brief How well two nodes agree as tangents of one curve: the cosine between their
+ * directions or, if more, between one and what the other is on a circle through both
+ * (Parent and Zucker 1989), as around holes of a few spacings.
+ * \param[in] least_cosine between directions that may be those of one circle
+ */
+double
+agreement (const CreaseNode& a, const CreaseNode& b, double least_cosine)
+{
+  // In spacings: of closer ones the way says nothing.
+  constexpr double LEAST_DISTANCE = 0.3;
+  const double cosine = std::abs (a.direction.dot (b.direction));
+  const Eigen::Vector3d way = b.foot - a.foot;
+  if (cosine < least_cosine || way.norm() < LEAST_DISTANCE * a.spacing)
+    return cosine;
+  const Eigen::Vector3d chord = way.normalized();
+  const Eigen::Vector3d turned = 2.0 * a.direction.dot (chord) * chord - a.direction;
+  return std::max (cosine, std::abs (turned.dot (b.direction)));
+}
+
 /** \brief Moves nodes to the weighted mean of those around on the same line, and drops
  * those that are alone.
  */
@@ -39,12 +58,16 @@ agree (const OrientedPoints& points,
   // In spacings.
   constexpr double REACH = 2.0;
   constexpr double FARTHEST_ACROSS = 0.7;
-  constexpr double LEAST_COSINE = 0.85;
+  // Cosines of 30 and 60 degrees.
+  constexpr double LEAST_AGREEMENT = 0.87;
+  constexpr double LEAST_COSINE_OF_CIRCLE = 0.5;
   constexpr int LEAST_MEMBERS = 3;
   // Weights fall to a tenth at the reach; no fit is believed to be perfect.
   constexpr double FALL = 0.9;
   constexpr double BEST_RATIO = 0.02;
 
+  // Nodes that stand for many samples round off the corners of straight lines.
+  const double turn = points.gathered ? LEAST_AGREEMENT : LEAST_COSINE_OF_CIRCLE;
   const PlaceSearch search (points, feet (nodes));
   std::vector<CreaseNode> moved = nodes;
   std::vector<std::uint8_t> agreed (nodes.size(), 0);
@@ -65,7 +88,8 @@ agree (const OrientedPoints& points,
             const CreaseNode& other = nodes[j];
             const double cosine = own.direction.dot (other.direction);
             const Way way = wayTo (own, other.foot);
-            if (other.type != own.type || std::abs (cosine) < LEAST_COSINE ||
+            if (other.type != own.type ||
+                agreement (own, other, turn) < LEAST_AGREEMENT ||
                 std::abs (way.along) > reach ||
                 way.across > FARTHEST_ACROSS * own.spacing)
               continue;

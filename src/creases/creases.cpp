@@ -4,6 +4,7 @@
 #include "base/large_arrays.h"
 #include "base/parallel.h"
 #include "creases/crossing_planes.h"
+#include "creases/face_end.h"
 #include "creases/plate_rim.h"
 #include "creases/quartic_residual.h"
 #include "creases/two_planes.h"
@@ -142,11 +143,20 @@ public:
       if (mayHaveFaces (count, smooth[w]))
         fitWindow (count, smooth[w], normals, best);
     }
-    if (best.type == CrestType::NONE)
+    const bool two_faces = best.type != CrestType::NONE;
+    takeBothSheets();
+    if (largest_square_ < OF_FLAT_FACES && (!two_faces || of_best_planes_ > ZERO)) {
+      Crease end = fitEnd();
+      if (end.type != CrestType::NONE)
+        return end;
+    }
+    if (!two_faces) {
       best = fitCrossing (smooth);
-    else if (neighbors_.size() >= NOISE_WINDOW && isSpread (in_noise_window_))
+      return best.type != CrestType::NONE ? best : fitRim();
+    }
+    if (neighbors_.size() >= NOISE_WINDOW && isSpread (in_noise_window_))
       best.roundness = static_cast<float> (roundnessOf (best.normal.cast<double>()));
-    return best.type != CrestType::NONE ? best : fitRim();
+    return best;
   }
 
 private:
@@ -157,6 +167,9 @@ private:
   static constexpr double CERTAIN_NOISE = 0.4;
   /** What a cubic leaves, without the noise, where two planes leave LARGEST_RATIO. */
   static constexpr double LEAST_OF_CUBIC = ZERO * (1.0 / LARGEST_RATIO - 1.0);
+  /** Where two planes may leave more, in squared spacings, noise leaves nothing flat.
+   */
+  static constexpr double OF_FLAT_FACES = 0.4 * 0.4;
   /** Three for each, and the choice between them. */
   static constexpr std::size_t PLANE_PARAMETERS = 7;
 
@@ -348,29 +361,51 @@ private:
     return {};
   }
 
-  /** \brief The crease along the rim of a thin plate. */
-  Crease
-  fitRim ()
+  /** \brief Takes the nearest of both sheets of a plate. */
+  void
+  takeBothSheets ()
   {
-    // Of both sheets.
     constexpr std::size_t RIM_NEIGHBORS = 48;
     const std::size_t count = std::min (RIM_NEIGHBORS, nearest_.size());
     const double scale = 1.0 / graph_.spacing[sample_];
-    positions_.resize (count);
-    normals_.resize (count);
+    of_sheets_.resize (count);
+    normals_of_sheets_.resize (count);
     for (std::size_t i = 0; i < count; ++i) {
-      positions_.set (i, scale * points_.edge (sample_, nearest_[i]));
-      normals_.set (i, points_.normals[nearest_[i]].cast<double>());
+      of_sheets_.set (i, scale * points_.edge (sample_, nearest_[i]));
+      normals_of_sheets_.set (i, points_.normals[nearest_[i]].cast<double>());
     }
-    const auto rim = fitPlateRim (
-        positions_, normals_, points_.normals[sample_].cast<double>(), largest_square_);
+  }
+
+  /** \brief The crease where a flat face ends at what is no plane. */
+  Crease
+  fitEnd () const
+  {
+    const auto end = fitFaceEnd (of_sheets_, points_.normals[sample_].cast<double>());
+    if (!end)
+      return {};
+    return creaseAlong ({end->angle, end->direction, end->foot},
+                        end->normal,
+                        end->convex,
+                        of_sheets_.size(),
+                        end->of_face,
+                        end->of_all);
+  }
+
+  /** \brief The crease along the rim of a thin plate. */
+  Crease
+  fitRim () const
+  {
+    const auto rim = fitPlateRim (of_sheets_,
+                                  normals_of_sheets_,
+                                  points_.normals[sample_].cast<double>(),
+                                  largest_square_);
     if (!rim)
       return {};
     constexpr double RIGHT_ANGLE = 90.0;
     return creaseAlong ({RIGHT_ANGLE, rim->direction, rim->foot},
                         rim->normal,
                         true,
-                        count,
+                        of_sheets_.size(),
                         rim->of_sheets,
                         rim->of_one_plane);
   }
@@ -438,6 +473,9 @@ private:
   std::vector<std::pair<double, index_t>> neighbors_;
   Coordinates positions_;
   Coordinates normals_;
+  /** positions and normals of the nearest that were found */
+  Coordinates of_sheets_;
+  Coordinates normals_of_sheets_;
   /** of those in the window */
   Scatter all_;
   TwoPlanes planes_;

@@ -48,9 +48,10 @@ constexpr int CREASE_NEIGHBORS = 96;
  * height function in the same window is what they have to beat: it follows all that is
  * smooth at this scale, so that smooth crests stay with the later stages. Those that
  * are narrower than a window are told by their roundness. Of the windows the one with
- * the smallest ratio of the residuals counts. Where none has such faces, the smallest
- * counts in which two planes meet whatever the signs of normals (see CrossingPlanes);
- * then the rim of a plate that is too thin for a plane of its own (see PlateRim).
+ * the smallest ratio of the residuals counts, unless its planes leave something where a
+ * flat face ends (see FaceEnd). Where there is neither, the smallest window counts in
+ * which two planes meet whatever the signs of normals (see CrossingPlanes); then the
+ * rim of a plate that is too thin for a plane of its own (see PlateRim).
  *
  * \param[in] points, graph the samples; spacings are taken from the graph
  * \param[in] search finds CREASE_NEIGHBORS neighbours

@@ -8,6 +8,9 @@
 #include "support/sharp_solids.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
 #include <set>
 
 using namespace pcl::crest;
@@ -157,6 +160,67 @@ TEST (CreaseLines, BothFacesOfAThinPlateAreFramed)
     EXPECT_TRUE (drawn.valleys.empty());
     expectExact (drawn, solid, oracle::meanSpacing (*cloud));
   }
+}
+
+TEST (CreaseLines, RimsOfHolesOfTwoSpacingsAreFound)
+{
+  constexpr double RADIUS = 2.0;
+  constexpr double APART = 10.0;
+  constexpr int HOLES = 4;
+  std::mt19937 random (5);
+  std::uniform_real_distribution<double> jitter (-0.2, 0.2);
+  const auto cloud = std::make_shared<Cloud>();
+  const auto add = [&] (const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
+    pcl::PointNormal point;
+    point.getVector3fMap() = p.cast<float>();
+    point.getNormalVector3fMap() = n.cast<float>();
+    cloud->push_back (point);
+  };
+  const auto centre = [] (int i) {
+    return Eigen::Vector3d (APART * (i % 2), APART * (i / 2), 0.0);
+  };
+  for (int row = -8; row <= 18; ++row)
+    for (int column = -8; column <= 18; ++column) {
+      const Eigen::Vector3d p (column + jitter (random), row + jitter (random), 0.0);
+      bool outside = true;
+      for (int i = 0; i < HOLES; ++i)
+        outside = outside && (p - centre (i)).norm() > RADIUS + 0.3;
+      if (outside)
+        add (p, Eigen::Vector3d::UnitZ());
+    }
+  for (int i = 0; i < HOLES; ++i)
+    for (int level = 0; level < 5; ++level)
+      for (int k = 0; k < 12; ++k) {
+        const double angle = (k + 0.5 * level + jitter (random)) * M_PI / 6.0;
+        const Eigen::Vector3d out (std::cos (angle), std::sin (angle), 0.0);
+        // The first are on the rim, and of the face.
+        const Eigen::Vector3d down = -level * Eigen::Vector3d::UnitZ();
+        add (centre (i) + RADIUS * out + down,
+             level == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d (-out));
+      }
+  const Drawn drawn = draw (cloud);
+  EXPECT_TRUE (drawn.valleys.empty());
+  double length = 0.0;
+  int vertices = 0;
+  int far = 0;
+  for (const CrestLine& line : drawn.ridges)
+    for (const auto& polyline : line.polylines)
+      for (std::size_t j = 0; j < polyline.size(); ++j) {
+        const Eigen::Vector3d p =
+            (*drawn.cloud)[polyline[j]].getVector3fMap().cast<double>();
+        double nearest = APART;
+        for (int i = 0; i < HOLES; ++i)
+          nearest = std::min (nearest, std::abs ((p - centre (i)).norm() - RADIUS));
+        ++vertices;
+        far += nearest > 0.6 || std::abs (p.z()) > 0.6 ? 1 : 0;
+        if (j > 0)
+          length += ((*drawn.cloud)[polyline[j]].getVector3fMap() -
+                     (*drawn.cloud)[polyline[j - 1]].getVector3fMap())
+                        .norm();
+      }
+  EXPECT_LE (20 * far, vertices);
+  EXPECT_GT (length, 0.8 * HOLES * 2.0 * M_PI * RADIUS);
+  EXPECT_LT (length, 1.1 * HOLES * 2.0 * M_PI * RADIUS);
 }
 
 TEST (CreaseLines, AngleAppliesToThem)
