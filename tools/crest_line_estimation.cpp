@@ -30,6 +30,7 @@ struct Files {
   ReadOptions reading;
   std::string output;
   std::string lines;
+  std::string crs;
   std::string statistics;
   std::string curvatures;
 };
@@ -69,6 +70,12 @@ checkOutputs (const Files& files, std::string& error)
     if (!hasExtension (output.file, output.extensions, error))
       return EXIT_USAGE;
   }
+  if (files.lines.empty() && !files.crs.empty()) {
+    error = "the option -crs is of lines: -lines tells where to write them";
+    return EXIT_USAGE;
+  }
+  if (!files.lines.empty() && !checkLines (files.lines, files.crs, error))
+    return EXIT_USAGE;
   taken.erase (taken.begin());
   for (const std::string& file : taken)
     if (!checkWritable (file, error))
@@ -176,7 +183,8 @@ run (const Files& files, const Parameters& parameters, bool quiet)
                                            *estimation.getLineCloud(),
                                            estimation.getLines(),
                                            error,
-                                           cloud.placement))
+                                           cloud.placement,
+                                           files.crs))
     return fail (PROGRAM, EXIT_FILE, error);
   if (!files.curvatures.empty() &&
       !writeCurvatures (
@@ -212,8 +220,15 @@ main (int argc, char** argv)
   auto add = groups[0].options.add_options();
   add ("-lines",
        fileName ("FILE", files.lines),
-       "write the lines as .obj (with an .mtl), .ply, .vtk, .vtp,\n.dxf, .geojson or "
-       ".csv");
+       "write the lines as .obj (with an .mtl), .ply, .vtk, .vtp,\n.dxf, "
+       ".geojson, .csv, .gpkg or .shp");
+  add ("-crs",
+       value ("EPSG:N",
+              [&files] (const std::string& text) {
+                files.crs = text;
+                return std::string (text.empty() ? "as in EPSG:25832" : "");
+              }),
+       "the coordinate system of INPUT, for .geojson, .gpkg and .shp");
   add ("-stats",
        fileName ("FILE.json", files.statistics),
        "write counts, sizes and lengths of lines, and times");

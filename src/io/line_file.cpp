@@ -4,14 +4,16 @@
 #include "io/placement.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace crest {
 
 LinePoints::LinePoints (const pcl::PointCloud<pcl::PointNormal>& cloud,
                         const std::vector<CrestLine>& lines,
-                        const Placement& placement)
-: cloud_ (cloud), placement_ (placement)
+                        const Placement& placement,
+                        std::string crs)
+: cloud_ (cloud), placement_ (placement), crs_ (std::move (crs))
 {
   for (const CrestLine& line : lines)
     for (const std::vector<index_t>& polyline : line.polylines)
@@ -36,6 +38,12 @@ bool
 LinePoints::hasDoubles() const
 {
   return needsDoubles (placement_);
+}
+
+Eigen::Vector3d
+LinePoints::position (index_t point) const
+{
+  return placement_.toFile (cloud_[point].getVector3fMap());
 }
 
 void

@@ -21,7 +21,8 @@ class LinePoints {
 public:
   LinePoints (const pcl::PointCloud<pcl::PointNormal>& cloud,
               const std::vector<CrestLine>& lines,
-              const Placement& placement);
+              const Placement& placement,
+              std::string crs);
 
   std::size_t
   size () const
@@ -35,6 +36,17 @@ public:
 
   bool
   hasDoubles () const;
+
+  /** \brief Where a point of the cloud is in the file. */
+  Eigen::Vector3d
+  position (index_t point) const;
+
+  /** \brief The coordinate system, as "EPSG:25832"; empty if it is not known. */
+  const std::string&
+  crs () const
+  {
+    return crs_;
+  }
 
   /** \brief Appends the coordinates of a point of the cloud, parted by blanks. */
   void
@@ -58,6 +70,7 @@ public:
 private:
   const pcl::PointCloud<pcl::PointNormal>& cloud_;
   const Placement& placement_;
+  std::string crs_;
   /** ascending */
   std::vector<index_t> used_;
   std::vector<Rgb> colors_;
@@ -66,20 +79,36 @@ private:
 /** \brief A number that each line has. */
 struct Measure {
   const char* name;
+  /** at most 10 letters, which is what the tables of shapefiles have room for */
+  const char* short_name;
   bool whole;
   double (*of) (const CrestLine& line);
 };
 
 /** \brief What files tell of lines beside type, place and ends. */
 constexpr std::array<Measure, 8> MEASURES{
-    {{"size", true, [] (const CrestLine& l) { return static_cast<double> (l.size); }},
-     {"closed", true, [] (const CrestLine& l) { return l.closed ? 1.0 : 0.0; }},
-     {"length", false, [] (const CrestLine& l) { return l.length; }},
-     {"strength", false, [] (const CrestLine& l) { return l.strength; }},
-     {"mean_curvature", false, [] (const CrestLine& l) { return l.mean_curvature; }},
-     {"turning_angle", false, [] (const CrestLine& l) { return l.turning_angle; }},
-     {"scale", false, [] (const CrestLine& l) { return l.scale; }},
-     {"sign_trust", false, [] (const CrestLine& l) { return l.sign_trust; }}}};
+    {{"size",
+      "size",
+      true,
+      [] (const CrestLine& l) { return static_cast<double> (l.size); }},
+     {"closed",
+      "closed",
+      true,
+      [] (const CrestLine& l) { return l.closed ? 1.0 : 0.0; }},
+     {"length", "length", false, [] (const CrestLine& l) { return l.length; }},
+     {"strength", "strength", false, [] (const CrestLine& l) { return l.strength; }},
+     {"mean_curvature",
+      "mean_curv",
+      false,
+      [] (const CrestLine& l) { return l.mean_curvature; }},
+     {"turning_angle",
+      "turn_angle",
+      false,
+      [] (const CrestLine& l) { return l.turning_angle; }},
+     {"scale", "scale", false, [] (const CrestLine& l) { return l.scale; }},
+     {"sign_trust", "sign_trust", false, [] (const CrestLine& l) {
+        return l.sign_trust;
+      }}}};
 
 /** \brief Appends a measure of a line. */
 inline void

@@ -2,6 +2,8 @@
 // A line a feature, as programs for maps read them: GeoJSON (RFC 7946, but in the
 // coordinates of the cloud, whatever these are) and CSV with the geometry as WKT, which
 // GDAL's driver and QGIS find by the name of its column.
+#include <boost/algorithm/string/replace.hpp>
+
 #include "io/line_file.h"
 
 namespace pcl {
@@ -46,7 +48,13 @@ appendPolylines (std::string& text,
 std::string
 toGeoJson (const LinePoints& points, const std::vector<CrestLine>& lines)
 {
-  std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
+  std::string text = "{\"type\": \"FeatureCollection\", ";
+  // As GDAL writes and reads it. Longitude and latitude of WGS 84 need no word.
+  if (!points.crs().empty() && points.crs() != "EPSG:4326")
+    text +=
+        "\"crs\": {\"type\": \"name\", \"properties\": {\"name\": \"urn:ogc:def:crs:" +
+        boost::replace_first_copy (points.crs(), ":", "::") + "\"}}, ";
+  text += "\"features\": [";
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += std::string (i == 0 ? "\n" : ",\n") +
             "{\"type\": \"Feature\", \"id\": " + std::to_string (i) +

@@ -20,6 +20,23 @@ if(NOT by_cmake MATCHES "ridge of [0-9]+ points")
   message(FATAL_ERROR "The example found no ridge:\n${by_cmake}")
 endif()
 
+# Maps through GDAL by the module that is installed beside the library; without it that is
+# said before anything is computed.
+file(GLOB_RECURSE gdal "${scratch}/prefix/*/libpcl_crest_gdal*")
+set(map "${scratch}/prefix/bin/pcl_crest_line_estimation" "${CLOUD}" "${scratch}/labels.pcd" -quiet
+        -lines "${scratch}/lines.gpkg")
+if(gdal)
+  run(${map})
+  if(NOT EXISTS "${scratch}/lines.gpkg")
+    message(FATAL_ERROR "There is no GeoPackage.")
+  endif()
+  file(REMOVE "${gdal}" "${scratch}/lines.gpkg")
+endif()
+execute_process(COMMAND ${map} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT result EQUAL 1 OR NOT output MATCHES "through GDAL" OR EXISTS "${scratch}/lines.gpkg")
+  message(FATAL_ERROR "Without GDAL's module it exits with ${result} and says:\n${output}")
+endif()
+
 file(GLOB_RECURSE pc_file "${scratch}/prefix/*/pcl_crest.pc")
 get_filename_component(pc_dir "${pc_file}" DIRECTORY)
 set(ENV{PKG_CONFIG_PATH} "${pc_dir}")

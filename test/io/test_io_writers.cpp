@@ -389,6 +389,8 @@ TEST_F (IoWriters, NoLinesAtAllMakeValidFiles)
 {
   for (const std::string& extension : lineExtensions()) {
     std::string error;
+    if (!checkLines ("e" + extension, "", error))
+      continue; // built without GDAL
     EXPECT_TRUE (writeLines (directory_.file ("e" + extension), cloud_, {}, error));
   }
   vtkNew<vtkPolyDataReader> reader;
@@ -819,9 +821,9 @@ TEST_F (IoWriters, WhatCannotBeWrittenIsNamed)
 
   EXPECT_FALSE (writeLines (directory_.file ("a.stl"), cloud_, lines_, error));
   EXPECT_EQ (0U, error.find (directory_.file ("a.stl")));
-  EXPECT_FALSE (hasExtension ("a.shp", lineExtensions(), error));
-  EXPECT_EQ ("a.shp: the extension must be .obj, .ply, .vtk, .vtp, .dxf, .geojson or "
-             ".csv",
+  EXPECT_FALSE (hasExtension ("a.kml", lineExtensions(), error));
+  EXPECT_EQ ("a.kml: the extension must be .obj, .ply, .vtk, .vtp, .dxf, .geojson, "
+             ".csv, .gpkg or .shp",
              error);
 }
 

@@ -465,7 +465,14 @@ TEST_F (LineTool, WrongUsage)
   expectUsageError ({in, out, "-threads", "99999"}, "at most");
   expectUsageError ({in, outputs_.file ("o.txt")}, "must be .pcd, .ply or .las");
   expectUsageError ({in, out, "-lines", outputs_.file ("l.stl")},
-                    ".dxf, .geojson or .csv");
+                    ".dxf, .geojson, .csv, .gpkg or .shp");
+  expectUsageError ({in, out, "-crs", "EPSG:25832"}, "-lines tells where");
+  expectUsageError ({in, out, "-lines", outputs_.file ("l.ply"), "-crs", "EPSG:25832"},
+                    "into .geojson, .gpkg and .shp alone");
+  expectUsageError ({in, out, "-lines", outputs_.file ("l.geojson"), "-crs", "utm"},
+                    "is \"utm\", but must be EPSG: and its number");
+  expectUsageError ({in, out, "-lines", outputs_.file ("l.geojson"), "-crs", ""},
+                    "-crs is \"\"");
   expectUsageError ({in, out, "-format", "doc"}, "must be pcd, ply");
   expectUsageError ({in, out, "-columns", "x,y"}, "as in x,y,z,-,nx,ny,nz");
   expectUsageError ({in, out, "-columns", "x,y,z,x"}, "as in x,y,z,-,nx,ny,nz");

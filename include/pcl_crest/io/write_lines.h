@@ -18,11 +18,20 @@ namespace crest {
 PCL_CREST_EXPORT std::vector<std::string>
 lineExtensions ();
 
-/** \brief The files that writeLines writes for a name: that one, and of OBJ a second
- * one with the materials.
+/** \brief The files that writeLines writes for a name: that one, of OBJ a second one
+ * with the materials, and of shapefiles .shx, .dbf, .cpg and .prj.
  */
 PCL_CREST_EXPORT std::vector<std::string>
 lineFiles (const std::string& file);
+
+/** \brief Whether writeLines can write lines to a file of this name in a coordinate
+ * system, found out without writing.
+ * \param[in] file the path
+ * \param[in] crs "EPSG:" and a number; empty for none
+ * \param[out] error if not, what is wrong, naming the file
+ */
+PCL_CREST_EXPORT bool
+checkLines (const std::string& file, const std::string& crs, std::string& error);
 
 /** \brief Writes crest lines in the format that the extension of the name tells. The
  * points in the file are those on lines, in the order of the cloud. A closed line ends
@@ -45,6 +54,8 @@ lineFiles (const std::string& file);
  *   file, whatever these are; its properties are those of PLY's "line".
  * - .csv: a row for each line with id, its place in `lines`, type, length, strength,
  * the number of its vertices, and WKT, its polylines.
+ * - .gpkg, .shp: a layer with the features of .geojson, where the library was built
+ * with GDAL. Shapefiles call them mean_curv and turn_angle, and have 15 decimals.
  *
  * Coordinates are floats, but doubles where the placement has an offset.
  *
@@ -53,13 +64,17 @@ lineFiles (const std::string& file);
  * \param[in] lines as CrestLineEstimation::getLines gives them
  * \param[out] error on failure what is wrong, naming the file
  * \param[in] placement where the cloud lies in the file's coordinates
+ * \param[in] crs of .geojson, .gpkg and .shp, what coordinate system these are of, as
+ * "EPSG:25832", x to the east; GDAL, where it is there, knows whether there is one of
+ * that number
  */
 PCL_CREST_EXPORT bool
 writeLines (const std::string& file,
             const pcl::PointCloud<pcl::PointNormal>& cloud,
             const std::vector<CrestLine>& lines,
             std::string& error,
-            const Placement& placement = {});
+            const Placement& placement = {},
+            const std::string& crs = {});
 
 } // namespace crest
 } // namespace pcl
