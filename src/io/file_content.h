@@ -27,6 +27,7 @@ struct FileContent {
   /** as Placement has them */
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  std::vector<Placement::CrsRecord> crs_records;
   std::vector<std::array<unsigned char, 3>> colors;
   /** what else each point has */
   FileFields fields;

@@ -30,6 +30,8 @@ enum HeaderByte : std::size_t {
   OFFSETS = 155,
   /** for each axis the most and the least coordinate */
   EXTENT = 179,
+  FIRST_EXTENDED = 235,
+  EXTENDED_RECORDS = 243,
   POINTS = 247,
   POINTS_BY_RETURN = 255
 };
@@ -38,11 +40,39 @@ enum HeaderByte : std::size_t {
 constexpr std::array<std::size_t, 3> HEADER_SIZES{227, 235, 375};
 
 /** \brief A variable length record: a head, whose places these are, and its data. */
-enum RecordByte : std::size_t { USER = 2, RECORD_ID = 18, DATA_SIZE = 20, DATA = 54 };
+enum RecordByte : std::size_t {
+  USER = 2,
+  RECORD_ID = 18,
+  DATA_SIZE = 20,
+  DESCRIPTION = 22,
+  DATA = 54
+};
+/** \brief The size of the description, and of the head of the extended ones behind the
+ * points, whose sizes take eight bytes.
+ */
+constexpr std::size_t DESCRIPTION_SIZE = 32;
+constexpr std::size_t EXTENDED_DATA = 60;
 constexpr std::size_t USER_SIZE = 16;
 constexpr char SPECIFICATION[] = "LASF_Spec";
 /** the record that describes numbers behind those of the point format */
 constexpr unsigned EXTRA_BYTES = 4;
+/** the user of records that tell the coordinate system */
+constexpr char PROJECTION[] = "LASF_Projection";
+
+/** \brief Whether a record of that user tells it: WKT of a transform and of a system,
+ * or the keys of GeoTIFF with their doubles and texts.
+ */
+constexpr bool
+isWkt (unsigned record)
+{
+  return record == 2111 || record == 2112;
+}
+
+constexpr bool
+isGeoTiff (unsigned record)
+{
+  return record >= 34735 && record <= 34737;
+}
 
 /** \brief Places in the description of one of these numbers, and its size. */
 enum ExtraByte : std::size_t {
@@ -103,6 +133,13 @@ constexpr bool
 isWide (unsigned format)
 {
   return format >= 6;
+}
+
+/** \brief Whether points have a waveform, which stands elsewhere. */
+constexpr bool
+hasWaveforms (unsigned format)
+{
+  return format == 4 || format == 5 || format == 9 || format == 10;
 }
 
 /** \brief Where points have their class, and which of its bits. */

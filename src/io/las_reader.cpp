@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace pcl {
 namespace crest {
@@ -59,6 +60,12 @@ public:
     readHeader();
     dimensions_ = las::dimensionsOf (header_.format);
     readRecords();
+    if (at<std::uint8_t> (las::VERSION_MINOR) == 4)
+      readExtendedRecords();
+    if (las::hasWaveforms (header_.format))
+      content_.notes.push_back ("Its waveforms (point format " +
+                                std::to_string (header_.format) +
+                                ") are not read, and are in none of the outputs.");
   }
 
   FileContent
@@ -227,8 +234,51 @@ private:
       if (nameAt (byte + las::USER, las::USER_SIZE) == las::SPECIFICATION &&
           at<std::uint16_t> (byte + las::RECORD_ID) == las::EXTRA_BYTES)
         readExtra (byte + las::DATA, size);
+      takeCrs (byte, byte + las::DATA, size);
       byte += las::DATA + size;
     }
+  }
+
+  /** \brief Takes what tells the coordinate system of the records behind the points,
+   * without which these are what they are, so that no fault of them is an error.
+   */
+  void
+  readExtendedRecords ()
+  {
+    auto records = at<std::uint32_t> (las::EXTENDED_RECORDS);
+    auto byte = at<std::uint64_t> (las::FIRST_EXTENDED);
+    for (; records > 0; --records) {
+      const bool has_head =
+          byte <= text_.size() && text_.size() - byte >= las::EXTENDED_DATA;
+      const std::uint64_t size =
+          has_head ? at<std::uint64_t> (byte + las::DATA_SIZE) : 0;
+      if (!has_head || size > text_.size() - byte - las::EXTENDED_DATA) {
+        content_.notes.push_back (
+            "The file ends within its extended variable length records: " +
+            std::to_string (records) + " of them are not read.");
+        return;
+      }
+      takeCrs (byte, byte + las::EXTENDED_DATA, size);
+      byte += las::EXTENDED_DATA + size;
+    }
+  }
+
+  /** \brief Keeps a record if it tells the coordinate system.
+   * \param[in] head, data where these begin
+   * \param[in] size of the data
+   */
+  void
+  takeCrs (std::size_t head, std::size_t data, std::size_t size)
+  {
+    constexpr std::size_t MOST = std::numeric_limits<std::uint16_t>::max();
+    const auto id = at<std::uint16_t> (head + las::RECORD_ID);
+    if (nameAt (head + las::USER, las::USER_SIZE) != las::PROJECTION ||
+        !(las::isWkt (id) || las::isGeoTiff (id)) || size > MOST)
+      return;
+    // Of the extended ones the size has six bytes more.
+    const std::size_t description = data - las::DESCRIPTION_SIZE;
+    content_.crs_records.push_back (
+        {id, nameAt (description, las::DESCRIPTION_SIZE), text_.substr (data, size)});
   }
 
   /** \brief Takes the description of the numbers behind those of the point format.

@@ -316,6 +316,7 @@ placeContent (FileContent content)
   placed.placement = findPlacement (content.points, content.step.cwiseAbs());
   placed.placement.step = content.step;
   placed.placement.origin = content.origin;
+  placed.placement.crs_records = std::move (content.crs_records);
   placed.points = content.points.place (placed.placement);
   pcl::PointCloud<pcl::PointNormal>& points = *placed.points;
   takeOut (placed.placement, points);

@@ -117,10 +117,14 @@ public:
   take ()
   {
     constexpr std::size_t HEADER_SIZE = las::HEADER_SIZES.back();
-    const std::size_t first_point =
+    std::size_t first_point =
         HEADER_SIZE + las::DATA + columns_.size() * las::EXTRA_SIZE;
+    const std::size_t first_crs = first_point;
+    for (const Placement::CrsRecord& record : file_.placement.crs_records)
+      first_point += las::DATA + record.data.size();
     text_.resize (first_point + file_.cloud.size() * point_size_);
     putExtraBytes (HEADER_SIZE);
+    putCrs (first_crs);
     FilePositions positions (file_.cloud, file_.placement);
     for (std::size_t i = 0; i < file_.cloud.size(); ++i) {
       const Eigen::Vector3d position = positions (i);
@@ -150,6 +154,20 @@ private:
            static_cast<std::uint8_t> (1 + (type - las::EXTRA_TYPES.begin())));
       column.name.copy (record + las::EXTRA_NAME, las::EXTRA_NAME_SIZE);
       record += las::EXTRA_SIZE;
+    }
+  }
+
+  void
+  putCrs (std::size_t place)
+  {
+    char* record = text_.data() + place;
+    for (const Placement::CrsRecord& crs : file_.placement.crs_records) {
+      std::strcpy (record + las::USER, las::PROJECTION);
+      put (record + las::RECORD_ID, crs.id);
+      put (record + las::DATA_SIZE, static_cast<std::uint16_t> (crs.data.size()));
+      crs.description.copy (record + las::DESCRIPTION, las::DESCRIPTION_SIZE);
+      crs.data.copy (record + las::DATA, crs.data.size());
+      record += las::DATA + crs.data.size();
     }
   }
 
@@ -235,8 +253,16 @@ private:
     // Time within a week is below its seconds; else it counts from 2011, nearly.
     constexpr unsigned STANDARD_TIME = 1;
     constexpr unsigned WKT = 16;
+    // The bit says which kind of records counts. Points of these formats should have
+    // WKT, but what the file has in GeoTIFF's keys is told by them or not at all.
+    const std::vector<Placement::CrsRecord>& crs = file_.placement.crs_records;
+    const bool has_wkt =
+        crs.empty() || std::any_of (crs.begin(), crs.end(), [] (const auto& record) {
+          return las::isWkt (record.id);
+        });
     put (header + las::GLOBAL_ENCODING,
-         static_cast<std::uint16_t> (WKT | (has_large_times_ ? STANDARD_TIME : 0)));
+         static_cast<std::uint16_t> ((has_wkt ? WKT : 0) |
+                                     (has_large_times_ ? STANDARD_TIME : 0)));
     put<std::uint8_t> (header + las::VERSION_MAJOR, 1);
     put<std::uint8_t> (header + las::VERSION_MINOR, 4);
     std::strcpy (header + las::SYSTEM, "OTHER");
@@ -245,7 +271,7 @@ private:
     put (header + las::HEADER_SIZE,
          static_cast<std::uint16_t> (las::HEADER_SIZES.back()));
     put (header + las::FIRST_POINT, static_cast<std::uint32_t> (first_point));
-    put<std::uint32_t> (header + las::RECORDS, 1);
+    put (header + las::RECORDS, static_cast<std::uint32_t> (1 + crs.size()));
     put (header + las::POINT_FORMAT, static_cast<std::uint8_t> (format_));
     put (header + las::POINT_SIZE, static_cast<std::uint16_t> (point_size_));
     for (std::size_t axis = 0; axis < 3; ++axis) {

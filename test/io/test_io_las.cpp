@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // LAS files of all versions and point formats, written number by number.
 #include <pcl_crest/io/read_cloud.h>
+#include <pcl_crest/io/write_labels.h>
 
 #include <gtest/gtest.h>
 
@@ -167,6 +168,100 @@ TEST_F (IoLas, NormalsAmongExtraBytes)
   EXPECT_EQ (NormalSource::FILE, cloud.normals);
   for (const pcl::PointNormal& point : *cloud.points)
     ASSERT_EQ (Eigen::Vector3f (0.6F, 0.8F, 0.0F), point.getNormalVector3fMap());
+}
+
+const oracle::LasRecord GEO_KEYS{
+    "LASF_Projection", 34735, "GeoTIFF keys", bytesOf<std::uint16_t> ({1, 1, 0, 0})};
+const oracle::LasRecord GEO_DOUBLES{
+    "LASF_Projection", 34736, "", bytesOf<double> ({9.0, 0.9996})};
+const oracle::LasRecord GEO_TEXT{"LASF_Projection", 34737, "text", "UTM 32|"};
+const oracle::LasRecord WKT{"LASF_Projection", 2112, "OGC WKT", "PROJCRS[\"UTM 32\"]"};
+const oracle::LasRecord OTHER{"somebody", 2112, "", "else"};
+
+/** \brief The labelled points of a file as LAS again. */
+std::string
+writtenAgain (const oracle::TemporaryDirectory& directory, const InputCloud& cloud)
+{
+  const std::size_t size = cloud.points->size();
+  pcl::PointCloud<pcl::Label> labels;
+  pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
+  labels.resize (size);
+  curvatures.resize (size);
+  std::string error;
+  EXPECT_TRUE (
+      writeLabels (directory.file ("b.las"), cloud, labels, curvatures, {}, error))
+      << error;
+  return oracle::contentOf (directory.file ("b.las"));
+}
+
+TEST_F (IoLas, CoordinateSystemsAreKept)
+{
+  constexpr unsigned WKT_BIT = 16;
+  constexpr std::size_t ENCODING = 6;
+  const std::vector<oracle::LasRecord> geo_tiff{GEO_KEYS, GEO_DOUBLES, GEO_TEXT};
+  oracle::LasFile las = example (2, 1);
+  las.records = {GEO_KEYS, OTHER, GEO_DOUBLES, GEO_TEXT};
+  std::string text = writtenAgain (directory_, read (las));
+  std::vector<oracle::LasRecord> records = oracle::lasRecordsOf (text);
+  ASSERT_EQ (4U, records.size());
+  EXPECT_EQ (geo_tiff,
+             std::vector<oracle::LasRecord> (records.begin() + 1, records.end()));
+  EXPECT_EQ (0, text[ENCODING] & WKT_BIT);
+
+  las = example (4, 6);
+  las.records = {WKT};
+  text = writtenAgain (directory_, read (las));
+  EXPECT_EQ (WKT, oracle::lasRecordsOf (text).back());
+  EXPECT_EQ (WKT_BIT, text[ENCODING] & WKT_BIT);
+  // And what was written is read again, all points of it.
+  const oracle::TemporaryDirectory other;
+  InputCloud again;
+  std::string error;
+  ASSERT_TRUE (readCloud (other.file ("b.las", text), 12, 1, again, error)) << error;
+  ASSERT_EQ (las.points.size(), again.points->size());
+  for (std::size_t i = 0; i < las.points.size(); ++i)
+    EXPECT_EQ (positionOf (las, i).cast<float>(), (*again.points)[i].getVector3fMap());
+
+  las.records.clear();
+  las.extended = {OTHER, WKT};
+  text = writtenAgain (directory_, read (las));
+  EXPECT_EQ (WKT, oracle::lasRecordsOf (text).back());
+}
+
+TEST_F (IoLas, PointsDoNotNeedTheRecordsBehindThem)
+{
+  oracle::LasFile las = example (4, 6);
+  las.extended = {WKT, OTHER};
+  const std::string text = las.bytes();
+  std::string error;
+  for (const std::size_t cut : {std::size_t (1), OTHER.data.size() + 1}) {
+    InputCloud cloud;
+    ASSERT_TRUE (
+        readCloud (directory_.file ("a.las", text.substr (0, text.size() - cut)),
+                   12,
+                   1,
+                   cloud,
+                   error))
+        << error;
+    EXPECT_EQ (las.points.size(), cloud.points->size());
+    EXPECT_EQ ("The file ends within its extended variable length records: 1 of them "
+               "are not read.",
+               cloud.notes.front());
+    EXPECT_EQ (1U, cloud.placement.crs_records.size());
+  }
+}
+
+TEST_F (IoLas, WaveformsAreSaidToBeLost)
+{
+  for (unsigned format = 0; format <= 10; ++format) {
+    const InputCloud cloud = read (example (4, format));
+    const bool has = format == 4 || format == 5 || format == 9 || format == 10;
+    EXPECT_EQ (has,
+               cloud.notes.front() == "Its waveforms (point format " +
+                                          std::to_string (format) +
+                                          ") are not read, and are in none of the "
+                                          "outputs.");
+  }
 }
 
 TEST_F (IoLas, LiesAreNamedWithTheirByte)

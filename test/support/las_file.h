@@ -33,6 +33,46 @@ struct LasExtra {
   double offset = 0.0;
 };
 
+/** \brief A variable length record of a LAS file. */
+struct LasRecord {
+  std::string user;
+  std::uint16_t id = 0;
+  std::string description;
+  std::string data;
+
+  bool
+  operator== (const LasRecord& other) const
+  {
+    return user == other.user && id == other.id && description == other.description &&
+           data == other.data;
+  }
+};
+
+/** \brief The records of a file between its header and its points. */
+inline std::vector<LasRecord>
+lasRecordsOf (const std::string& text)
+{
+  const auto at = [&text] (auto& number, std::size_t byte) {
+    std::memcpy (&number, text.data() + byte, sizeof (number));
+  };
+  const auto name = [&text] (std::size_t byte, std::size_t size) {
+    return std::string (text.substr (byte, size).c_str());
+  };
+  std::uint16_t size = 0;
+  std::uint32_t count = 0;
+  at (size, 94);
+  at (count, 100);
+  std::vector<LasRecord> records;
+  for (std::size_t byte = size; count > 0; --count, byte += 54 + size) {
+    std::uint16_t id = 0;
+    at (id, byte + 18);
+    at (size, byte + 20);
+    records.push_back (
+        {name (byte + 2, 16), id, name (byte + 22, 32), text.substr (byte + 54, size)});
+  }
+  return records;
+}
+
 /** \brief A LAS file, written number by number as the tables of the specification have
  * them (ASPRS, LAS Specification 1.4 - R15).
  */
@@ -43,33 +83,49 @@ struct LasFile {
   std::array<double, 3> offset{};
   std::vector<LasPoint> points;
   std::vector<LasExtra> extra;
+  std::vector<LasRecord> records;
+  /** those behind the points */
+  std::vector<LasRecord> extended;
 
   std::string
   bytes () const
   {
-    std::string records;
+    std::string head;
+    for (const LasRecord& record : records) {
+      addHead (head, record);
+      add (head, static_cast<std::uint16_t> (record.data.size()));
+      addName (head, record.description, 32);
+      head += record.data;
+    }
     if (!extra.empty()) {
-      add<std::uint16_t> (records, 0);
-      addName (records, "LASF_Spec", 16);
-      add<std::uint16_t> (records, 4);
-      add<std::uint16_t> (records, static_cast<std::uint16_t> (192 * extra.size()));
-      addName (records, "", 32);
+      add<std::uint16_t> (head, 0);
+      addName (head, "LASF_Spec", 16);
+      add<std::uint16_t> (head, 4);
+      add<std::uint16_t> (head, static_cast<std::uint16_t> (192 * extra.size()));
+      addName (head, "", 32);
       for (const LasExtra& e : extra) {
-        add<std::uint16_t> (records, 0);
-        add (records, e.type);
-        add (records, e.options);
-        addName (records, e.name, 32);
-        addName (records, "", 4 + 3 * 24);
+        add<std::uint16_t> (head, 0);
+        add (head, e.type);
+        add (head, e.options);
+        addName (head, e.name, 32);
+        addName (head, "", 4 + 3 * 24);
         for (int i = 0; i < 3; ++i)
-          add (records, e.scale);
+          add (head, e.scale);
         for (int i = 0; i < 3; ++i)
-          add (records, e.offset);
-        addName (records, "", 32);
+          add (head, e.offset);
+        addName (head, "", 32);
       }
     }
     std::string data;
     for (const LasPoint& point : points)
       addPoint (data, point);
+    const std::size_t points_end = data.size();
+    for (const LasRecord& record : extended) {
+      addHead (data, record);
+      add (data, static_cast<std::uint64_t> (record.data.size()));
+      addName (data, record.description, 32);
+      data += record.data;
+    }
     const std::size_t header_size = minor == 4 ? 375 : minor == 3 ? 235 : 227;
     const bool legacy = minor < 4 || format < 6;
     std::string text = "LASF";
@@ -80,8 +136,8 @@ struct LasFile {
     addName (text, "oracle", 32);
     addName (text, "", 4);
     add (text, static_cast<std::uint16_t> (header_size));
-    add (text, static_cast<std::uint32_t> (header_size + records.size()));
-    add<std::uint32_t> (text, extra.empty() ? 0 : 1);
+    add (text, static_cast<std::uint32_t> (header_size + head.size()));
+    add (text, static_cast<std::uint32_t> (records.size() + (extra.empty() ? 0 : 1)));
     add (text, static_cast<std::uint8_t> (format));
     add (text, static_cast<std::uint16_t> (pointSize()));
     add (text, static_cast<std::uint32_t> (legacy ? points.size() : 0));
@@ -93,11 +149,12 @@ struct LasFile {
     if (minor >= 3)
       add<std::uint64_t> (text, 0);
     if (minor == 4) {
-      addName (text, "", 12);
+      add<std::uint64_t> (text, header_size + head.size() + points_end);
+      add (text, static_cast<std::uint32_t> (extended.size()));
       add<std::uint64_t> (text, points.size());
       addName (text, "", 120);
     }
-    return text + records + data;
+    return text + head + data;
   }
 
   std::size_t
@@ -121,6 +178,14 @@ private:
   addName (std::string& text, const std::string& name, std::size_t size)
   {
     text += name + std::string (size - name.size(), '\0');
+  }
+
+  static void
+  addHead (std::string& text, const LasRecord& record)
+  {
+    add<std::uint16_t> (text, 0);
+    addName (text, record.user, 16);
+    add (text, record.id);
   }
 
   void

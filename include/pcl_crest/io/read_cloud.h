@@ -39,6 +39,15 @@ struct Placement {
     Eigen::Vector3d position;
   };
 
+  /** \brief A record of a LAS file that tells its coordinate system, as GeoTIFF has it
+   * (34735 to 34737) or as WKT (2111 and 2112).
+   */
+  struct CrsRecord {
+    std::uint16_t id = 0;
+    std::string description;
+    std::string data;
+  };
+
   /** what was taken off: whole numbers, near the middle of the cloud; 0 along axes
    * where floats tell the points apart as well without */
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
@@ -50,6 +59,8 @@ struct Placement {
    * those of LAS, these; else 0 */
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /** of LAS, as they are in the file */
+  std::vector<CrsRecord> crs_records;
 
   /** \brief Where a place of the cloud is in the file. */
   Eigen::Vector3d
@@ -187,11 +198,10 @@ struct InputCloud {
   ReadOptions options;
   /** what is known of normals that were estimated; else null */
   std::shared_ptr<const NormalEstimate> estimate;
-  /** of each point red, green and blue up to 255, where a PCD, PLY, LAS or text file
-   * has them and its points are these; else empty */
+  /** of each point red, green and blue up to 255, where a file has them and its points
+   * are these; else empty */
   std::vector<std::array<unsigned char, 3>> colors;
-  /** of files whose points are these, but for OBJ, OFF, STL, PTX, VTK and VTP
-   */
+  /** of files whose points are these, but for OFF and STL */
   FileFields fields;
   /** what the user should know: what was done, what looks odd; one sentence each */
   std::vector<std::string> notes;
