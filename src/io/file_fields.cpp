@@ -38,28 +38,55 @@ ownNames ()
   return names;
 }
 
+/** \brief The nearest number of a type; NaN as 0 if that is whole. */
 template <typename T>
-bool
-encodeWordAs (std::string_view word, char* bytes)
+T
+nearest (double value)
 {
-  T number{};
-  if (!parseNumber (word, number)) {
-    double value = 0.0;
-    if (!parseNumber (word, value))
-      return false;
-    if constexpr (std::is_integral_v<T>) {
-      constexpr auto LEAST = static_cast<double> (std::numeric_limits<T>::lowest());
-      constexpr auto MOST = static_cast<double> (std::numeric_limits<T>::max());
-      if (value >= MOST)
-        number = std::numeric_limits<T>::max();
-      else if (value <= LEAST)
-        number = std::numeric_limits<T>::lowest();
-      else if (!std::isnan (value))
-        number = static_cast<T> (value);
-    }
+  if constexpr (std::is_integral_v<T>) {
+    constexpr auto LEAST = static_cast<double> (std::numeric_limits<T>::lowest());
+    constexpr auto MOST = static_cast<double> (std::numeric_limits<T>::max());
+    if (value >= MOST)
+      return std::numeric_limits<T>::max();
+    if (value <= LEAST)
+      return std::numeric_limits<T>::lowest();
+    if (std::isnan (value))
+      return T();
   }
-  std::memcpy (bytes, &number, sizeof (T));
-  return true;
+  return static_cast<T> (value);
+}
+
+/** \brief Calls a function with a number of a type; false if that is none. */
+template <typename Function>
+bool
+withTypeOf (NumberType type, const Function& function)
+{
+  switch (type) {
+  // NOLINTNEXTLINE(bugprone-branch-clone): each with another type
+  case NumberType::INT8:
+    return function (std::int8_t());
+  case NumberType::UINT8:
+    return function (std::uint8_t());
+  case NumberType::INT16:
+    return function (std::int16_t());
+  case NumberType::UINT16:
+    return function (std::uint16_t());
+  case NumberType::INT32:
+    return function (std::int32_t());
+  case NumberType::UINT32:
+    return function (std::uint32_t());
+  case NumberType::INT64:
+    return function (std::int64_t());
+  case NumberType::UINT64:
+    return function (std::uint64_t());
+  case NumberType::FLOAT32:
+    return function (float());
+  case NumberType::FLOAT64:
+    return function (double());
+  case NumberType::NONE:
+    break;
+  }
+  return false;
 }
 
 } // namespace
@@ -96,31 +123,26 @@ addField (FileFields& fields,
 bool
 encodeWord (std::string_view word, NumberType type, char* bytes)
 {
-  switch (type) {
-  case NumberType::INT8:
-    return encodeWordAs<std::int8_t> (word, bytes);
-  case NumberType::UINT8:
-    return encodeWordAs<std::uint8_t> (word, bytes);
-  case NumberType::INT16:
-    return encodeWordAs<std::int16_t> (word, bytes);
-  case NumberType::UINT16:
-    return encodeWordAs<std::uint16_t> (word, bytes);
-  case NumberType::INT32:
-    return encodeWordAs<std::int32_t> (word, bytes);
-  case NumberType::UINT32:
-    return encodeWordAs<std::uint32_t> (word, bytes);
-  case NumberType::INT64:
-    return encodeWordAs<std::int64_t> (word, bytes);
-  case NumberType::UINT64:
-    return encodeWordAs<std::uint64_t> (word, bytes);
-  case NumberType::FLOAT32:
-    return encodeWordAs<float> (word, bytes);
-  case NumberType::FLOAT64:
-    return encodeWordAs<double> (word, bytes);
-  case NumberType::NONE:
-    break;
-  }
-  return false;
+  return withTypeOf (type, [word, bytes] (auto number) {
+    double value = 0.0;
+    if (!parseNumber (word, number)) {
+      if (!parseNumber (word, value))
+        return false;
+      number = nearest<decltype (number)> (value);
+    }
+    std::memcpy (bytes, &number, sizeof (number));
+    return true;
+  });
+}
+
+void
+encodeNumber (double number, NumberType type, char* bytes)
+{
+  withTypeOf (type, [number, bytes] (auto encoded) {
+    encoded = nearest<decltype (encoded)> (number);
+    std::memcpy (bytes, &encoded, sizeof (encoded));
+    return true;
+  });
 }
 
 void

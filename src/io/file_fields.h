@@ -41,6 +41,10 @@ addRecord (FileFields& fields)
 bool
 encodeWord (std::string_view word, NumberType type, char* bytes);
 
+/** \brief Writes a number as the nearest of its type; NaN as 0 into whole numbers. */
+void
+encodeNumber (double number, NumberType type, char* bytes);
+
 /** \brief Takes red, green and blue, one byte each, as fields of these names. */
 void
 addColorFields (FileFields& fields);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wavefront OBJ: v, vn and f; all else that an OBJ may hold is passed over.
+// Wavefront OBJ: v, with colors or without, vn and f; all else that an OBJ may hold is
+// passed over.
+#include "io/color_bytes.h"
 #include "io/file_content.h"
 
 #include <algorithm>
@@ -35,6 +37,12 @@ public:
       content_.notes.push_back (
           "The normals of the file (vn) are not used, as they are not one for each "
           "vertex in the same order.");
+    if (colors_.size() == size)
+      content_.colors = colorBytes (colors_);
+    else if (!colors_.empty())
+      content_.notes.push_back ("Only " + std::to_string (colors_.size()) + " of " +
+                                std::to_string (size) +
+                                " vertices have colors: these are not used.");
     return std::move (content_);
   }
 
@@ -48,6 +56,13 @@ private:
       readCoordinates (values);
       content_.points.add (values, false);
       checkPointCount (content_.points.size());
+      // x y z red green blue; a fourth number alone is a weight.
+      constexpr std::size_t WITH_COLOR = 7;
+      if (scanner_.words().size() >= WITH_COLOR) {
+        std::array<float, 3>& color = colors_.emplace_back();
+        for (std::size_t c = 0; c < 3; ++c)
+          color[c] = scanner_.number<float> (scanner_.words()[4 + c], "a color");
+      }
     }
     else if (keyword == "vn") {
       double values[3];
@@ -112,6 +127,7 @@ private:
   TextScanner scanner_;
   FileContent content_;
   std::vector<Eigen::Vector3f> normals_;
+  std::vector<std::array<float, 3>> colors_;
   bool normals_match_ = true;
 };
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "io/file_content.h"
+#include "io/file_fields.h"
 
 #include <array>
 #include <limits>
@@ -19,7 +20,9 @@ class PtxReader {
 public:
   explicit PtxReader (const std::string& text)
   : scanner_ (text, TextScanner::NO_COMMENTS)
-  {}
+  {
+    addField (content_.fields, "intensity", NumberType::FLOAT32);
+  }
 
   FileContent
   read ()
@@ -90,6 +93,7 @@ private:
     else
       position = (position * matrix).eval();
     content_.points.add (position.data(), false);
+    encodeNumber (values[3], NumberType::FLOAT32, addRecord (content_.fields));
     if (width == 7) {
       std::array<unsigned char, 3> color{};
       for (std::size_t i = 0; i < 3; ++i) {

@@ -163,8 +163,9 @@ unpackBlocks (Bytes bytes,
   const std::size_t blocks = takeSize (bytes, encoding, what);
   const std::size_t block_size = takeSize (bytes, encoding, what);
   const std::size_t last_size = takeSize (bytes, encoding, what);
-  if (blocks > bytes.most() || block_size > size || last_size > size)
-    checkSize (std::max ({blocks, block_size, last_size}), size, what);
+  // Of arrays that are smaller than a block there is a part of one.
+  if (blocks > bytes.most() || last_size > size)
+    checkSize (std::max (blocks, last_size), size, what);
   const std::size_t whole = last_size == 0 ? blocks : blocks - (blocks == 0 ? 0 : 1);
   if (block_size != 0 && whole > size / block_size)
     checkSize (whole * block_size, size, what);

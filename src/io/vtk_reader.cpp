@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK legacy polydata and unstructured grids, text and binary, of file versions 1 to 5:
-// POINTS, POLYGONS, TRIANGLE_STRIPS, CELLS that are faces, and the NORMALS of points;
-// all else is passed over. vtkPolyDataReader is not used because it makes room for
-// whatever sizes a file announces before it looks whether the data are there.
+// POINTS, POLYGONS, TRIANGLE_STRIPS, CELLS that are faces, and the NORMALS of points,
+// whose other arrays pass through; all else is passed over. vtkPolyDataReader is not
+// used because it makes room for whatever sizes a file announces before it looks
+// whether the data are there.
 #include "io/file_content.h"
 #include "io/number_type.h"
+#include "io/point_arrays.h"
+
+#include <cmath>
 
 namespace pcl {
 namespace crest {
@@ -56,6 +60,7 @@ public:
     for (std::size_t i = 0; i < normals_.size(); ++i)
       content_.points.setNormal (i, normals_[i]);
     checkFaces (content_);
+    arrays_.pass (content_);
     return std::move (content_);
   }
 
@@ -219,14 +224,15 @@ private:
     scanner_.nextWord();
     const std::size_t arrays = readSize ("arrays");
     for (std::size_t i = 0; i < arrays; ++i) {
-      std::string_view name = scanner_.nextWord();
+      std::string name (scanner_.nextWord());
       if (name == "METADATA") {
         readSection (name);
         name = scanner_.nextWord();
       }
       const std::size_t components = readSize ("components");
       const std::size_t tuples = readSize ("tuples");
-      readArray (product (components, tuples), readType());
+      const NumberType type = readType();
+      take (name, type, components, readArray (product (components, tuples), type));
     }
   }
 
@@ -245,20 +251,25 @@ private:
       }
     }
     else if (keyword == "VECTORS")
-      readArray (product (3, tuples_), readType());
+      readAndTake (name, 3);
     else if (keyword == "TENSORS")
-      readArray (product (9, tuples_), readType());
+      readAndTake (name, 9);
     else if (keyword == "TENSORS6")
-      readArray (product (6, tuples_), readType());
+      readAndTake (name, 6);
     else if (keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS" ||
              keyword == "EDGE_FLAGS")
-      readArray (tuples_, readType());
-    else if (keyword == "TEXTURE_COORDINATES") {
-      const std::size_t dimension = readSize ("dimensions");
-      readArray (product (dimension, tuples_), readType());
+      readAndTake (name, 1);
+    else if (keyword == "TEXTURE_COORDINATES")
+      readAndTake (name, readSize ("dimensions"));
+    else if (keyword == "COLOR_SCALARS") {
+      const std::size_t components = readSize ("components");
+      std::vector<double> values =
+          readArray (product (components, tuples_), NumberType::UINT8);
+      // In text they are numbers up to 1.
+      for (double& value : values)
+        value = binary_ ? value : std::round (255.0 * value);
+      take (name, NumberType::UINT8, components, std::move (values));
     }
-    else if (keyword == "COLOR_SCALARS")
-      readArray (product (readSize ("components"), tuples_), NumberType::UINT8);
     else if (keyword == "LOOKUP_TABLE")
       readArray (product (4, readSize ("colors")), NumberType::UINT8);
     else if (keyword == "SCALARS") {
@@ -273,11 +284,29 @@ private:
         scanner_.fail ("expected LOOKUP_TABLE, found \"" + TextScanner::shown (word) +
                        "\"");
       scanner_.nextWord();
-      readArray (product (components, tuples_), type);
+      take (name, type, components, readArray (product (components, tuples_), type));
     }
     else
       scanner_.fail ("expected a section of the VTK format, found \"" +
                      TextScanner::shown (keyword) + "\"");
+  }
+
+  void
+  readAndTake (const std::string& name, std::size_t components)
+  {
+    const NumberType type = readType();
+    take (name, type, components, readArray (product (components, tuples_), type));
+  }
+
+  /** \brief Takes an array if it is one of points. */
+  void
+  take (const std::string& name,
+        NumberType type,
+        std::size_t components,
+        std::vector<double> values)
+  {
+    if (of_points_ && components != 0)
+      arrays_.add (name, type, components, 0, std::move (values));
   }
 
   std::vector<double>
@@ -347,6 +376,7 @@ private:
   std::size_t tuples_ = 0;
   bool of_points_ = false;
   std::vector<Eigen::Vector3f> normals_;
+  PointArrays arrays_;
   FileContent content_;
 };
 

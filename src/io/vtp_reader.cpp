@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's XML polydata: points, normals and faces, in text, base64 or raw bytes,
-// compressed by zlib or not. vtkXMLPolyDataReader is not used because it would load
-// VTK, and makes room for whatever a file announces.
+// VTK's XML polydata: points, normals, other arrays of points and faces, in text,
+// base64 or raw bytes, compressed by zlib or not. vtkXMLPolyDataReader is not used
+// because it would load VTK, and makes room for whatever a file announces.
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
 #include "io/file_content.h"
 #include "io/number_type.h"
+#include "io/point_arrays.h"
 #include "io/unpack_blocks.h"
 
 #include <array>
@@ -73,6 +74,7 @@ public:
         if (name == "Piece")
           readPiece (piece);
     checkFaces (content_);
+    arrays_.pass (content_);
     return std::move (content_);
   }
 
@@ -145,6 +147,8 @@ private:
       for (const auto& [name, array] : *of_points)
         if (name == "DataArray" && isNormals (*of_points, array))
           normals = readArray (array, 3 * points, "normals");
+        else if (name == "DataArray")
+          pass (array, before, points);
     const bool has_normals = !normals.empty();
     if (before != 0 && has_normals != content_.has_normals && points != 0)
       throw ReadError ("only some of its pieces have normals");
@@ -159,6 +163,32 @@ private:
     }
     readCells (piece, "Polys", "NumberOfPolys", before, points);
     readCells (piece, "Strips", "NumberOfStrips", before, points);
+  }
+
+  /** \brief Keeps an array of a piece's points for the output. */
+  void
+  pass (const pt::ptree& array, std::size_t before, std::size_t points)
+  {
+    constexpr std::size_t MOST_COMPONENTS = 1024;
+    const std::string name = attribute (array, "Name");
+    const std::string word = attribute (array, "NumberOfComponents");
+    const NumberType type = typeOf (attribute (array, "type"));
+    std::size_t components = 1;
+    if (type == NumberType::NONE || points == 0)
+      return;
+    if (!word.empty() && (!parseNumber (word, components) || components == 0 ||
+                          components > MOST_COMPONENTS))
+      throw ReadError ("the array \"" + TextScanner::shown (name) + "\" has \"" +
+                       TextScanner::shown (word) +
+                       "\" components, but must have from 1 to " +
+                       std::to_string (MOST_COMPONENTS));
+    arrays_.add (name,
+                 type,
+                 components,
+                 before,
+                 readArray (array,
+                            components * points,
+                            "\"" + TextScanner::shown (name) + "\""));
   }
 
   static bool
@@ -318,6 +348,7 @@ private:
   std::size_t appended_ = std::string::npos;
   bool appended_is_raw_ = false;
   BlockEncoding encoding_;
+  PointArrays arrays_;
   FileContent content_;
 };
 

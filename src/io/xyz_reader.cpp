@@ -2,6 +2,7 @@
 // Text with a point a line, in whatever dialect and with whatever columns.
 #include <boost/algorithm/string/join.hpp>
 
+#include "io/color_bytes.h"
 #include "io/file_content.h"
 #include "io/file_fields.h"
 #include "io/text_columns.h"
@@ -15,13 +16,6 @@ namespace pcl {
 namespace crest {
 
 namespace {
-
-/** \brief By what to multiply colors to have them up to 255. */
-double
-colorScale (double largest)
-{
-  return largest <= 1.0 ? 255.0 : largest <= 255.0 ? 1.0 : 1.0 / 257.0;
-}
 
 class XyzReader {
 public:
@@ -187,25 +181,11 @@ private:
   void
   setColors (const std::vector<std::array<float, 3>>& colors)
   {
-    float largest = 0.0F;
-    for (const auto& color : colors)
-      largest = std::max ({largest, color[0], color[1], color[2]});
-    const double scale = colorScale (largest);
-    content_.colors.reserve (colors.size());
-    for (const auto& color : colors) {
-      std::array<unsigned char, 3> bytes{};
-      for (std::size_t i = 0; i < bytes.size(); ++i) {
-        // Written so that NaN becomes 0.
-        const double scaled = scale * static_cast<double> (color[i]) + 0.5;
-        bytes[i] =
-            static_cast<unsigned char> (scaled > 0.0 ? std::min (scaled, 255.0) : 0.0);
-      }
-      std::memcpy (content_.fields.records.data() +
-                       content_.colors.size() * content_.fields.record_size,
-                   bytes.data(),
+    content_.colors = colorBytes (colors);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+      std::memcpy (content_.fields.records.data() + i * content_.fields.record_size,
+                   content_.colors[i].data(),
                    COLOR_SIZE);
-      content_.colors.push_back (bytes);
-    }
   }
 
   static constexpr std::size_t COLOR_SIZE = 3;

@@ -8,11 +8,16 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include "support/las_file.h"
 #include "support/temporary_directory.h"
@@ -605,6 +610,193 @@ TEST_F (IoFields, TooManyForLas)
       writeLabels (directory_.file ("o.txt"), cloud, labels, curvatures, {}, error));
   EXPECT_EQ (directory_.file ("o.txt") + ": the extension must be .pcd, .ply or .las",
              error);
+}
+
+/** \brief The labelled points of a file, as PCL reads them. */
+pcl::PCLPointCloud2
+byPcl (const std::string& file)
+{
+  pcl::PCLPointCloud2 cloud;
+  EXPECT_EQ (0, pcl::io::loadPCDFile (file, cloud));
+  return cloud;
+}
+
+std::array<unsigned, 3>
+colorAt (const pcl::PCLPointCloud2& cloud, std::size_t i)
+{
+  const auto rgb = valueOf<std::uint32_t> (cloud, "rgb", i);
+  return {rgb >> 16U & 0xFFU, rgb >> 8U & 0xFFU, rgb & 0xFFU};
+}
+
+TEST_F (IoFields, OfObj)
+{
+  std::string bytes;
+  std::string parts;
+  std::string some;
+  for (unsigned i = 0; i < SIZE; ++i) {
+    const std::string place =
+        "v " + std::to_string (i % 7) + " " + std::to_string (i / 7) + " 0";
+    bytes += place + " " + std::to_string (5 * i) + " 0 255\n";
+    parts += place + " " + std::to_string (i / 49.0) + " 0 1\n";
+    some += place + (i == 3 ? " 0 0 1\n" : "\n");
+  }
+  pcl::PCLPointCloud2 cloud =
+      byPcl (write (read (directory_.file ("a.obj", bytes)), "a.pcd"));
+  for (unsigned i = 0; i < SIZE; ++i)
+    EXPECT_EQ ((std::array<unsigned, 3>{5 * i, 0, 255}), colorAt (cloud, i));
+  cloud = byPcl (write (read (directory_.file ("b.obj", parts)), "b.pcd"));
+  for (unsigned i = 0; i < SIZE; ++i)
+    EXPECT_EQ ((std::array<unsigned, 3>{
+                   static_cast<unsigned> (i / 49.0 * 255.0 + 0.5), 0, 255}),
+               colorAt (cloud, i));
+  const InputCloud without = read (directory_.file ("c.obj", some));
+  EXPECT_TRUE (without.colors.empty());
+  EXPECT_EQ ("Only 1 of 50 vertices have colors: these are not used.",
+             without.notes.front());
+}
+
+TEST_F (IoFields, OfPtx)
+{
+  std::string text = "5\n10\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                     "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  for (unsigned i = 0; i < SIZE; ++i)
+    text += std::to_string (i % 5 + 1) + " " + std::to_string (i / 5) + " 0 " +
+            std::to_string (i / 64.0) + " " + std::to_string (i) + " 7 9\n";
+  const InputCloud input = read (directory_.file ("a.ptx", text));
+  const pcl::PCLPointCloud2 cloud = byPcl (write (input, "a.pcd"));
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName (write (input, "a.ply").c_str());
+  reader->Update();
+  vtkDataArray* const colors = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_NE (nullptr, colors);
+  for (unsigned i = 0; i < SIZE; ++i) {
+    EXPECT_EQ (static_cast<float> (i) / 64.0F, valueOf<float> (cloud, "intensity", i));
+    EXPECT_EQ ((std::array<unsigned, 3>{i, 7, 9}), colorAt (cloud, i));
+    EXPECT_EQ (i, colors->GetComponent (i, 0));
+  }
+}
+
+/** \brief Points with arrays of VTK: three bytes or four, a number, three, normals. */
+vtkSmartPointer<vtkPolyData>
+vtkExample (std::size_t size, int channels)
+{
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  const auto numbers = vtkSmartPointer<vtkIntArray>::New();
+  const auto flow = vtkSmartPointer<vtkFloatArray>::New();
+  const auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  colors->SetName ("paint");
+  colors->SetNumberOfComponents (channels);
+  numbers->SetName ("number");
+  flow->SetName ("flow");
+  flow->SetNumberOfComponents (3);
+  normals->SetName ("Normals");
+  normals->SetNumberOfComponents (3);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto number = static_cast<int> (i);
+    points->InsertNextPoint (number % 7, number / 7, 0.0);
+    for (int c = 0; c < channels; ++c)
+      colors->InsertNextValue (static_cast<unsigned char> (number + c));
+    numbers->InsertNextValue (-number);
+    flow->InsertNextTuple3 (number, 0.5 * number, -number);
+    normals->InsertNextTuple3 (0.0, 0.0, 1.0);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints (points);
+  data->GetPointData()->SetScalars (colors);
+  data->GetPointData()->AddArray (numbers);
+  data->GetPointData()->SetVectors (flow);
+  data->GetPointData()->SetNormals (normals);
+  return data;
+}
+
+void
+expectVtkExample (const InputCloud& input, const std::string& written, int channels)
+{
+  EXPECT_EQ (NormalSource::FILE, input.normals);
+  const pcl::PCLPointCloud2 cloud = byPcl (written);
+  for (const char* const unwanted : {"paint", "Normals"})
+    EXPECT_EQ (-1, pcl::getFieldIndex (cloud, unwanted));
+  EXPECT_EQ (channels == 4, pcl::getFieldIndex (cloud, "alpha") >= 0);
+  ASSERT_EQ (input.points->size(), cloud.width * cloud.height);
+  for (unsigned i = 0; i < input.points->size(); ++i) {
+    ASSERT_EQ ((std::array<unsigned, 3>{i, i + 1, i + 2}), colorAt (cloud, i));
+    if (channels == 4) {
+      ASSERT_EQ (i + 3, valueOf<std::uint8_t> (cloud, "alpha", i));
+    }
+    ASSERT_EQ (-static_cast<std::int32_t> (i),
+               valueOf<std::int32_t> (cloud, "number", i));
+    const auto number = static_cast<float> (i);
+    ASSERT_EQ (number, valueOf<float> (cloud, "flow", i, 0));
+    ASSERT_EQ (0.5F * number, valueOf<float> (cloud, "flow", i, 1));
+    ASSERT_EQ (-number, valueOf<float> (cloud, "flow", i, 2));
+  }
+}
+
+TEST_F (IoFields, OfVtk)
+{
+  for (const int channels : {3, 4})
+    for (const bool binary : {false, true})
+      for (const int version : {vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2,
+                                vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_5_1}) {
+        SCOPED_TRACE (testing::Message()
+                      << channels << " channels, binary " << binary << ", " << version);
+        const std::string file = directory_.file ("a.vtk");
+        vtkNew<vtkPolyDataWriter> writer;
+        writer->SetInputData (vtkExample (SIZE, channels));
+        writer->SetFileName (file.c_str());
+        writer->SetFileVersion (version);
+        if (binary)
+          writer->SetFileTypeToBinary();
+        writer->Write();
+        const InputCloud input = read (file);
+        expectVtkExample (input, write (input, "a.pcd"), channels);
+      }
+}
+
+TEST_F (IoFields, OfVtp)
+{
+  for (const int channels : {3, 4})
+    for (const int mode :
+         {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+      SCOPED_TRACE (testing::Message() << channels << " channels, mode " << mode);
+      const std::string file = directory_.file ("a.vtp");
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetInputData (vtkExample (SIZE, channels));
+      writer->SetFileName (file.c_str());
+      writer->SetDataMode (mode);
+      writer->Write();
+      const InputCloud input = read (file);
+      expectVtkExample (input, write (input, "a.pcd"), channels);
+    }
+}
+
+// Of several pieces what all of them have, by name, type and numbers a point.
+TEST_F (IoFields, OfPiecesOfVtp)
+{
+  std::string text = "<VTKFile type=\"PolyData\"><PolyData>";
+  for (int piece = 0; piece < 2; ++piece) {
+    text += "<Piece NumberOfPoints=\"25\"><Points><DataArray type=\"Float32\" "
+            "NumberOfComponents=\"3\" format=\"ascii\">";
+    for (int i = 0; i < 25; ++i)
+      text += std::to_string (i % 5) + " " + std::to_string (i / 5 + 5 * piece) + " 0 ";
+    text += "</DataArray></Points><PointData><DataArray type=\"Int32\" Name=\"kept\" "
+            "format=\"ascii\">";
+    for (int i = 0; i < 25; ++i)
+      text += std::to_string (100 * piece + i) + " ";
+    text += std::string ("</DataArray><DataArray type=\"") +
+            (piece == 0 ? "Int32" : "Float32") + "\" Name=\"other\" format=\"ascii\">";
+    for (int i = 0; i < 25; ++i)
+      text += "1 ";
+    text += "</DataArray></PointData></Piece>";
+  }
+  text += "</PolyData></VTKFile>";
+  const pcl::PCLPointCloud2 cloud =
+      byPcl (write (read (directory_.file ("a.vtp", text)), "a.pcd"));
+  EXPECT_EQ (-1, pcl::getFieldIndex (cloud, "other"));
+  for (int i = 0; i < 50; ++i)
+    EXPECT_EQ (i < 25 ? i : 75 + i,
+               valueOf<std::int32_t> (cloud, "kept", static_cast<std::size_t> (i)));
 }
 
 } // namespace

@@ -103,7 +103,7 @@ protected:
   std::string
   written (const std::string& name, const std::string& crs = {})
   {
-    const std::string file = directory_.file (name);
+    std::string file = directory_.file (name);
     std::string error;
     EXPECT_TRUE (writeLines (file, cloud_, lines_, error, placement_, crs)) << error;
     return file;
