@@ -58,6 +58,7 @@ std::unique_ptr<CrestSession>
 load (const WindowOptions& window,
       const Parameters& parameters,
       const ProgressCallback& progress,
+      const ViewerWindow::Preview& preview,
       std::string& error)
 {
   const std::string& input = window.input;
@@ -68,6 +69,7 @@ load (const WindowOptions& window,
     return nullptr;
   for (const std::string& note : cloud.notes)
     std::cout << input << ": " << note << "\n";
+  preview (cloud.points);
   if (!progress ("reading " + input, 1.0))
     return nullptr;
   if (window.view.color == ColorMode::FILE && cloud.colors.empty()) {
@@ -101,8 +103,8 @@ savePicture (const Request& request, const Parameters& parameters)
 {
   std::string error;
   const auto quiet = [] (const std::string&, double) { return true; };
-  const std::unique_ptr<CrestSession> session =
-      load (request.window, parameters, quiet, error);
+  const std::unique_ptr<CrestSession> session = load (
+      request.window, parameters, quiet, [] (const auto&) {}, error);
   if (!session)
     return fail (PROGRAM, EXIT_FILE, error);
   const Eigen::Vector2i& size = request.window.size;
@@ -130,8 +132,10 @@ savePicture (const Request& request, const Parameters& parameters)
 int
 showWindow (const Request& request, const Parameters& parameters)
 {
-  const auto load_input = [&] (const ProgressCallback& progress, std::string& error) {
-    return load (request.window, parameters, progress, error);
+  const auto load_input = [&] (const ProgressCallback& progress,
+                               const ViewerWindow::Preview& preview,
+                               std::string& error) {
+    return load (request.window, parameters, progress, preview, error);
   };
   std::string error;
   ViewerWindow (request.window).run (load_input, error);
@@ -161,7 +165,8 @@ main (int argc, char** argv)
               [&request] (const std::string& text) {
                 return takeSize (text, request.window.size);
               }),
-       "size of window or picture (default 1200x1200, or as -cam says)");
+       "size of window or picture (default 1200x1200, of windows\nas far as the screen "
+       "has room, or as -cam says)");
   add ("-cam",
        value ("CAMERA",
               [&request] (const std::string& text) {
@@ -195,6 +200,8 @@ main (int argc, char** argv)
     return fail (PROGRAM, EXIT_USAGE, error);
   request.window.input = arguments.files[0];
   request.window.prefix = std::filesystem::path (request.window.input).stem().string();
+  request.window.fits_screen =
+      !request.window.camera && arguments.options.count ("-size") == 0;
   if (request.window.camera && arguments.options.count ("-size") == 0)
     request.window.size = request.window.camera->window_size;
   if (!request.screenshot.empty()) {

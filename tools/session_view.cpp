@@ -71,6 +71,15 @@ SessionView::update()
     recolor();
 }
 
+void
+SessionView::highlight (int line)
+{
+  std::vector<CrestLine> lines;
+  if (line >= 0)
+    lines.push_back (session_->getLines()[static_cast<std::size_t> (line)]);
+  scene_.setHighlight (lines, session_->getLineCloud());
+}
+
 bool
 SessionView::setColorMode (ColorMode mode)
 {

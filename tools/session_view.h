@@ -24,6 +24,10 @@ public:
   void
   show (const CrestSession& session, const SurfaceSplats& splats);
 
+  /** \brief Shows a line of the session over the others; none if that is -1. */
+  void
+  highlight (int line);
+
   /** \brief Shows what a change of thresholds changed. */
   void
   update ();

@@ -112,6 +112,18 @@ Sliders::~Sliders()
 }
 
 void
+Sliders::setParameters (const Parameters& parameters)
+{
+  parameters_ = parameters;
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    auto* const slider =
+        dynamic_cast<vtkSliderRepresentation*> (widgets_[i]->GetRepresentation());
+    slider->SetValue (sliderPlace (thresholds_[i], parameters));
+    slider->SetTitleText (titleOf (thresholds_[i], parameters).c_str());
+  }
+}
+
+void
 Sliders::dragged (vtkObject* widget, unsigned long event, void*)
 {
   for (std::size_t i = 0; i < widgets_.size(); ++i) {

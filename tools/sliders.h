@@ -40,6 +40,10 @@ public:
   Sliders&
   operator= (const Sliders&) = delete;
 
+  /** \brief Moves all sliders to where parameters are, without calling anybody. */
+  void
+  setParameters (const Parameters& parameters);
+
   /** \brief Whether a threshold that repeats stages may follow the mouse, too. */
   void
   setFast (bool fast)

@@ -84,6 +84,7 @@ ViewerWindow::keys()
          "  n           points on and off\n"
          "  +, -        larger and smaller dots; a surface instead if smaller than 1\n"
          "  [, ]        thinner and thicker lines\n"
+         "  0           sliders back to where they were at first\n"
          "  t, y        chart of line sizes on and off, its logarithm\n"
          "  p           save a picture\n"
          "  e           export labels, lines, statistics and the command line for "
@@ -102,6 +103,14 @@ ViewerWindow::ViewerWindow (const WindowOptions& options)
   window_->SetMultiSamples (0);
   view_.getScene().getRenderer()->UseFXAAOn();
   viewer_->setShowFPS (false);
+  if (options_.fits_screen) {
+    // What the desktop has above and below windows.
+    constexpr int FRAME = 80;
+    const int* const screen = window_->GetScreenSize();
+    options_.size =
+        options_.size.cwiseMin (Eigen::Vector2i (screen[0], screen[1] - FRAME))
+            .cwiseMax (1);
+  }
   viewer_->setSize (options_.size.x(), options_.size.y());
   if (options_.camera)
     viewer_->setPosition (options_.camera->window_position.x(),
@@ -155,10 +164,11 @@ ViewerWindow::show (std::unique_ptr<CrestSession> session, const SurfaceSplats& 
 {
   session_ = std::move (session);
   shown_ = session_->getParameters().wanted;
-  const auto& cloud = session_->getCloud().points;
+  first_ = session_->getParameters();
   view_.show (*session_, splats);
-  setCamera (options_.camera ? *options_.camera : fitView (*cloud, options_.size),
-             *view_.getScene().getRenderer()->GetActiveCamera());
+  // Where the points were shown before, it may have been turned meanwhile.
+  if (!has_view_)
+    setView (*session_->getCloud().points);
   sliders_ = std::make_unique<Sliders> (
       getInteractor(),
       thresholdsOf (*session_),
@@ -168,6 +178,14 @@ ViewerWindow::show (std::unique_ptr<CrestSession> session, const SurfaceSplats& 
         change ([&] (Parameters& p) { takeSliderPlace (threshold, place, p); });
       });
   say ("h lists the keys");
+}
+
+void
+ViewerWindow::setView (const pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  has_view_ = true;
+  setCamera (options_.camera ? *options_.camera : fitView (cloud, options_.size),
+             *view_.getScene().getRenderer()->GetActiveCamera());
 }
 
 void
@@ -182,9 +200,13 @@ ViewerWindow::run (const Load& load, std::string& error)
       pcl::console::setVerbosityLevel (pcl::console::L_ERROR);
     return !closed_;
   };
-  loading_ = std::async (std::launch::async, [this, load, progress] {
+  const auto preview = [this] (const auto& points) {
+    const std::lock_guard<std::mutex> lock (stage_mutex_);
+    preview_ = points;
+  };
+  loading_ = std::async (std::launch::async, [this, load, progress, preview] {
     Loaded loaded;
-    loaded.session = load (progress, load_error_);
+    loaded.session = load (progress, preview, load_error_);
     if (loaded.session && progress ("surface to draw", 1.0))
       loaded.splats = makeSurfaceSplats (*loaded.session->getCloud().points);
     return loaded;
@@ -209,9 +231,16 @@ ViewerWindow::poll()
     return;
   if (loading_.wait_for (std::chrono::seconds (0)) != std::future_status::ready) {
     std::string stage;
+    pcl::PointCloud<pcl::PointNormal>::ConstPtr points;
     {
       const std::lock_guard<std::mutex> lock (stage_mutex_);
       stage = stage_;
+      points.swap (preview_);
+    }
+    if (points) {
+      view_.getScene().setPoints (points);
+      setView (*points);
+      message_.clear();
     }
     if (message_ != stage)
       say (stage);
@@ -234,7 +263,8 @@ ViewerWindow::keyPressed (unsigned long event)
   const bool pressed = event == vtkCommand::KeyPressEvent;
   if (key == 'h' && pressed)
     std::cout << "Keys of pcl_crest_viewer, before those of pcl_viewer:\n" << keys();
-  if (key == '\0' || std::string ("123456divn+-[]type").find (key) == std::string::npos)
+  if (key == '\0' ||
+      std::string ("0123456divn+-[]type").find (key) == std::string::npos)
     return false;
   if (pressed && session_)
     act (key);
@@ -277,6 +307,8 @@ ViewerWindow::act (char key)
   case 'y':
     chart.setLogarithmic (!chart.isLogarithmic());
     break;
+  case '0':
+    return reset();
   case 'p':
     return save();
   case 'e':
@@ -298,6 +330,18 @@ ViewerWindow::setShown (CrestType type, bool shown)
     change ([this] (Parameters& p) { p.wanted = shown_; });
   else
     say ("ridges and valleys are hidden");
+}
+
+void
+ViewerWindow::reset()
+{
+  change ([this] (Parameters& p) {
+    const PerType<bool> wanted = p.wanted;
+    p = first_;
+    p.wanted = wanted;
+  });
+  sliders_->setParameters (session_->getParameters());
+  window_->Render();
 }
 
 void
@@ -374,8 +418,9 @@ void
 ViewerWindow::describeLineAt (int x, int y)
 {
   const int picked = view_.getScene().pickLine (x, y);
+  view_.highlight (picked);
   if (picked < 0)
-    return;
+    return say ({});
   const CrestLine& line = session_->getLines()[picked];
   std::ostringstream text;
   text.precision (4);

@@ -26,6 +26,8 @@ struct WindowOptions {
   /** of the names of files that are saved */
   std::string prefix;
   Eigen::Vector2i size{1200, 1200};
+  /** whether it is less on a screen that has no room for it */
+  bool fits_screen = true;
   /** else the view is fitted to the cloud */
   std::optional<View> camera;
   ViewOptions view;
@@ -35,10 +37,14 @@ struct WindowOptions {
  */
 class ViewerWindow {
 public:
-  /** \brief Long work: makes the session, telling how far it is; none, with what is
-   * wrong, on failure. Runs in a thread of its own. */
+  /** \brief Told of the points as soon as they are known; they stay as they are. */
+  using Preview =
+      std::function<void (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& points)>;
+
+  /** \brief Long work: makes the session, telling how far it is, and of the points
+   * before; none, with what is wrong, on failure. Runs in a thread of its own. */
   using Load = std::function<std::unique_ptr<CrestSession> (
-      const ProgressCallback& progress, std::string& error)>;
+      const ProgressCallback& progress, const Preview& preview, std::string& error)>;
 
   explicit ViewerWindow (const WindowOptions& options);
   ~ViewerWindow();
@@ -101,6 +107,10 @@ private:
   void
   describeLineAt (int x, int y);
   void
+  reset ();
+  void
+  setView (const pcl::PointCloud<pcl::PointNormal>& cloud);
+  void
   say (const std::string& message);
   void
   poll ();
@@ -115,6 +125,9 @@ private:
   std::string message_;
   std::array<int, 2> pressed_{};
   PerType<bool> shown_{true, true};
+  /** those that the session came with */
+  Parameters first_;
+  bool has_view_ = false;
 
   struct Loaded {
     std::unique_ptr<CrestSession> session;
@@ -122,6 +135,8 @@ private:
   };
   std::mutex stage_mutex_;
   std::string stage_;
+  /** points that are not on the screen yet */
+  pcl::PointCloud<pcl::PointNormal>::ConstPtr preview_;
   std::string load_error_;
   std::atomic<bool> closed_{false};
   int timer_ = -1;

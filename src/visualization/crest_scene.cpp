@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_crest/visualization/crest_scene.h>
 
+#include <pcl/common/point_tests.h>
+
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -11,6 +13,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "io/crest_colors.h"
@@ -30,6 +33,12 @@ constexpr double LINE_WIDTH = 2.5;
 constexpr double GREY = 0.85;
 constexpr double DOT_GREY = 0.6;
 constexpr double GREEN[] = {0.0, 0.45, 0.2};
+constexpr double YELLOW[] = {1.0, 0.7, 0.0};
+/** Points that any machine draws several times while a frame is on the screen. */
+constexpr std::size_t MOST_MOVING = 300000;
+/** Pictures a second from which on a window has to be fast: VTK asks for 15 or more
+ * while the mouse turns the view, for less than one when it rests. */
+constexpr double MOVING_RATE = 1.0;
 
 /** One light from the upper left, as on maps and in drawings, so that relief shows when
  * it is looked at from straight above; and one from the camera, so that no side is
@@ -135,7 +144,12 @@ CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
 {
   renderer_->SetBackground (1.0, 1.0, 1.0);
   addLights (*renderer_);
-  for (vtkActor* actor : {surface_.Get(), dots_.Get(), strokes_.Get(), lines_.Get()}) {
+  for (vtkActor* actor : {surface_.Get(),
+                          dots_.Get(),
+                          coarse_.Get(),
+                          strokes_.Get(),
+                          lines_.Get(),
+                          highlight_.Get()}) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData (vtkNew<vtkPolyData>());
     actor->SetMapper (mapper);
@@ -143,8 +157,10 @@ CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
   }
   surface_->GetProperty()->SetColor (GREY, GREY, GREY);
   // Light would leave those that face away black.
-  dots_->GetProperty()->SetColor (DOT_GREY, DOT_GREY, DOT_GREY);
-  dots_->GetProperty()->LightingOff();
+  for (vtkActor* actor : {dots_.Get(), coarse_.Get()}) {
+    actor->GetProperty()->SetColor (DOT_GREY, DOT_GREY, DOT_GREY);
+    actor->GetProperty()->LightingOff();
+  }
   strokes_->GetProperty()->SetColor (GREEN[0], GREEN[1], GREEN[2]);
   strokes_->GetProperty()->LightingOff();
   axes_->AxisLabelsOff();
@@ -152,10 +168,13 @@ CrestScene::CrestScene() : cloud_ (new pcl::PointCloud<pcl::PointNormal>)
   renderer_->AddActor (axes_);
   setAxes (0.0);
   choose();
-  lines_->GetProperty()->SetLineWidth (LINE_WIDTH);
+  setLineWidth (LINE_WIDTH);
   lines_->GetProperty()->LightingOff();
+  highlight_->GetProperty()->SetColor (YELLOW[0], YELLOW[1], YELLOW[2]);
+  highlight_->GetProperty()->LightingOff();
+  highlight_->GetMapper()->ScalarVisibilityOff();
   observer_ =
-      renderer_->AddObserver (vtkCommand::StartEvent, this, &CrestScene::liftLines);
+      renderer_->AddObserver (vtkCommand::StartEvent, this, &CrestScene::prepare);
 }
 
 CrestScene::~CrestScene() { renderer_->RemoveObserver (observer_); }
@@ -175,8 +194,27 @@ CrestScene::setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
   drawn_ = splats.points;
   setDataOf (surface_, splats.polygons);
   setDataOf (dots_, makeDots (*cloud, drawn_));
+  coarse_step_ = 1 + drawn_.size() / MOST_MOVING;
+  std::vector<index_t> few;
+  for (std::size_t i = 0; coarse_step_ > 1 && i < drawn_.size(); i += coarse_step_)
+    few.push_back (drawn_[i]);
+  setDataOf (coarse_, makeDots (*cloud, few));
   setStrokes (nullptr);
   setLines ({});
+  choose();
+}
+
+void
+CrestScene::setPoints (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud)
+{
+  SurfaceSplats none;
+  none.polygons = vtkSmartPointer<vtkPolyData>::New();
+  // Enough to see what it is, and soon.
+  constexpr std::size_t ENOUGH = 1000000;
+  for (std::size_t i = 0; i < cloud->size(); i += 1 + cloud->size() / ENOUGH)
+    if (pcl::isXYZFinite ((*cloud)[i]))
+      none.points.push_back (static_cast<index_t> (i));
+  setCloud (cloud, none);
 }
 
 void
@@ -194,6 +232,14 @@ CrestScene::setLines (const std::vector<CrestLine>& lines,
   for (std::size_t i = 0; i < lines.size(); ++i)
     line_of_cell_.insert (
         line_of_cell_.end(), lines[i].polylines.size(), static_cast<int> (i));
+  setHighlight ({}, line_cloud);
+}
+
+void
+CrestScene::setHighlight (const std::vector<CrestLine>& lines,
+                          const pcl::PointCloud<pcl::PointNormal>& line_cloud)
+{
+  setDataOf (highlight_, makeLinePolyData (line_cloud, lines));
 }
 
 void
@@ -208,6 +254,14 @@ CrestScene::setColors (const std::vector<Color>& colors, bool shaded)
   }
   for (vtkActor* actor : {surface_.Get(), dots_.Get()})
     dataOf (actor)->GetCellData()->SetScalars (scalars);
+  vtkSmartPointer<vtkUnsignedCharArray> few;
+  if (!colors.empty() && coarse_step_ > 1) {
+    few = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    few->SetNumberOfComponents (3);
+    for (std::size_t i = 0; i < drawn_.size(); i += coarse_step_)
+      few->InsertNextTypedTuple (colors[drawn_[i]].data());
+  }
+  dataOf (coarse_)->GetCellData()->SetScalars (few);
   surface_->GetProperty()->SetLighting (shaded);
 }
 
@@ -215,14 +269,13 @@ void
 CrestScene::setPointSize (int pixels)
 {
   point_size_ = pixels;
-  dots_->GetProperty()->SetPointSize (static_cast<float> (pixels));
   choose();
 }
 
 void
 CrestScene::setOpacity (double opacity)
 {
-  for (vtkActor* actor : {surface_.Get(), dots_.Get()})
+  for (vtkActor* actor : {surface_.Get(), dots_.Get(), coarse_.Get()})
     actor->GetProperty()->SetOpacity (opacity);
 }
 
@@ -230,6 +283,7 @@ void
 CrestScene::setLineWidth (double pixels)
 {
   lines_->GetProperty()->SetLineWidth (static_cast<float> (pixels));
+  highlight_->GetProperty()->SetLineWidth (static_cast<float> (2.0 * pixels));
 }
 
 double
@@ -256,6 +310,7 @@ void
 CrestScene::setLinesVisible (bool visible)
 {
   lines_->SetVisibility (visible);
+  highlight_->SetVisibility (visible);
 }
 
 void
@@ -268,8 +323,26 @@ CrestScene::setSurfaceVisible (bool visible)
 void
 CrestScene::choose()
 {
-  surface_->SetVisibility (surface_visible_ && point_size_ == 0);
-  dots_->SetVisibility (surface_visible_ && point_size_ > 0);
+  vtkRenderWindow* const window = renderer_->GetRenderWindow();
+  const bool is_coarse = coarse_step_ > 1 && window != nullptr &&
+                         window->GetDesiredUpdateRate() >= MOVING_RATE;
+  const bool has_surface =
+      point_size_ == 0 && dataOf (surface_)->GetNumberOfCells() > 0;
+  surface_->SetVisibility (surface_visible_ && !is_coarse && has_surface);
+  dots_->SetVisibility (surface_visible_ && !is_coarse && !has_surface);
+  coarse_->SetVisibility (surface_visible_ && is_coarse);
+  dots_->GetProperty()->SetPointSize (static_cast<float> (std::max (1, point_size_)));
+  // Few have to cover what many do.
+  constexpr int LARGER = 2;
+  coarse_->GetProperty()->SetPointSize (
+      static_cast<float> (std::max (LARGER, point_size_)));
+}
+
+void
+CrestScene::prepare()
+{
+  choose();
+  liftLines();
 }
 
 int
@@ -342,22 +415,29 @@ void
 CrestScene::liftLines()
 {
   vtkCamera* camera = renderer_->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> nearer;
-  if (camera->GetParallelProjection()) {
-    for (int axis = 0; axis < 3; ++axis)
-      nearer->SetElement (axis, 3, -lift_ * camera->GetDirectionOfProjection()[axis]);
-  }
-  else {
-    // Scaling about the eye moves points along their rays only. From very near, the
-    // lift is limited to a tenth of the way.
-    const double scale = 1.0 - std::min (0.1, lift_ / camera->GetDistance());
-    for (int axis = 0; axis < 3; ++axis) {
-      nearer->SetElement (axis, axis, scale);
-      nearer->SetElement (axis, 3, (1.0 - scale) * camera->GetPosition()[axis]);
+  const auto lift = [camera] (double by) {
+    auto nearer = vtkSmartPointer<vtkMatrix4x4>::New();
+    if (camera->GetParallelProjection()) {
+      for (int axis = 0; axis < 3; ++axis)
+        nearer->SetElement (axis, 3, -by * camera->GetDirectionOfProjection()[axis]);
     }
-  }
+    else {
+      // Scaling about the eye moves points along their rays only. From very near, the
+      // lift is limited to a tenth of the way.
+      const double scale = 1.0 - std::min (0.1, by / camera->GetDistance());
+      for (int axis = 0; axis < 3; ++axis) {
+        nearer->SetElement (axis, axis, scale);
+        nearer->SetElement (axis, 3, (1.0 - scale) * camera->GetPosition()[axis]);
+      }
+    }
+    return nearer;
+  };
+  const auto nearer = lift (lift_);
   lines_->SetUserMatrix (nearer);
   strokes_->SetUserMatrix (nearer);
+  // In front of the line that it repeats.
+  constexpr double ABOVE = 1.5;
+  highlight_->SetUserMatrix (lift (ABOVE * lift_));
 }
 
 } // namespace crest

@@ -8,6 +8,7 @@
 #include "io/parse_number.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -21,6 +22,9 @@ namespace {
 constexpr double FIELD_OF_VIEW = M_PI / 6.0;
 /** how much of the window the cloud takes */
 constexpr double FILL = 0.96;
+/** A point at the edge of the cloud counts where it is no farther away from the middle
+ * 98 of 100 than these are wide. */
+constexpr std::size_t ONE_SIDE = 100;
 /** Mean normals longer than this have a side that they face. */
 constexpr double FACING = 0.25;
 
@@ -92,25 +96,65 @@ explainInvalidView (const View& view)
   return "";
 }
 
+/** The box of the points that there are to look at: not of few that are far from all
+ * others, beside which these would be a dot. */
+Eigen::AlignedBox3d
+boxOfMost (const pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  constexpr std::size_t ENOUGH = 200000;
+  std::array<std::vector<float>, 3> numbers;
+  for (std::size_t i = 0; i < cloud.size(); i += 1 + cloud.size() / ENOUGH)
+    if (pcl::isXYZFinite (cloud[i]))
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        numbers[axis].push_back (cloud[i].data[axis]);
+  Eigen::AlignedBox3d box;
+  if (numbers[0].empty())
+    return box;
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<float>& sorted = numbers[axis];
+    const std::size_t few = sorted.size() / ONE_SIDE;
+    const auto at = [&sorted] (std::size_t rank) {
+      const auto place = sorted.begin() + static_cast<std::ptrdiff_t> (rank);
+      std::nth_element (sorted.begin(), place, sorted.end());
+      return static_cast<double> (*place);
+    };
+    low[static_cast<Eigen::Index> (axis)] = at (few);
+    high[static_cast<Eigen::Index> (axis)] = at (sorted.size() - 1 - few);
+  }
+  const double width = (high - low).maxCoeff();
+  const Eigen::AlignedBox3d near (low.array() - width, high.array() + width);
+  for (const auto& point : cloud) {
+    const Eigen::Vector3d position = point.getVector3fMap().cast<double>();
+    if (pcl::isXYZFinite (point) && near.contains (position))
+      box.extend (position);
+  }
+  return box;
+}
+
 } // namespace
 
 View
 fitView (const pcl::PointCloud<pcl::PointNormal>& cloud,
          const Eigen::Vector2i& window_size)
 {
-  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d whole;
   Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
   std::size_t normals = 0;
   for (const auto& point : cloud)
     if (pcl::isXYZFinite (point)) {
-      box.extend (point.getVector3fMap().cast<double>());
+      whole.extend (point.getVector3fMap().cast<double>());
       if (pcl::isNormalFinite (point)) {
         mean_normal += point.getNormalVector3fMap().cast<double>();
         ++normals;
       }
     }
+  if (whole.isEmpty())
+    whole.extend (Eigen::Vector3d::Zero());
+  Eigen::AlignedBox3d box = boxOfMost (cloud);
   if (box.isEmpty())
-    box.extend (Eigen::Vector3d::Zero());
+    box = whole;
   if (normals > 0)
     mean_normal /= static_cast<double> (normals);
   const Direction direction = chooseDirection (box.sizes(), mean_normal);
@@ -124,7 +168,8 @@ fitView (const pcl::PointCloud<pcl::PointNormal>& cloud,
   Eigen::Vector2d reach_x = Eigen::Vector2d::Constant (-INFINITY);
   Eigen::Vector2d reach_y = reach_x;
   for (const auto& point : cloud)
-    if (pcl::isXYZFinite (point)) {
+    if (pcl::isXYZFinite (point) &&
+        box.contains (point.getVector3fMap().cast<double>())) {
       const Eigen::Vector3d offset =
           point.getVector3fMap().cast<double>() - box.center();
       const double height = offset.dot (direction.toward_viewer);
@@ -142,9 +187,11 @@ fitView (const pcl::PointCloud<pcl::PointNormal>& cloud,
   }
 
   View view;
-  const double depth = 0.5 * box.sizes().dot (direction.toward_viewer.cwiseAbs());
-  view.clip = {std::max (0.9 * (distance - depth), 1e-3 * distance),
-               1.1 * (distance + depth)};
+  const double middle =
+      distance - (whole.center() - box.center()).dot (direction.toward_viewer);
+  const double depth = 0.5 * whole.sizes().dot (direction.toward_viewer.cwiseAbs());
+  view.clip = {std::max (0.9 * (middle - depth), 1e-3 * distance),
+               1.1 * (middle + depth)};
   view.focal_point = box.center() + 0.5 * (reach_x[0] - reach_x[1]) * right +
                      0.5 * (reach_y[0] - reach_y[1]) * direction.up;
   view.position = view.focal_point + distance * direction.toward_viewer;

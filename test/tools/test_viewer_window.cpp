@@ -136,6 +136,12 @@ isGreen (const std::array<int, 3>& pixel)
 }
 
 bool
+isYellow (const std::array<int, 3>& pixel)
+{
+  return pixel[0] > 200 && pixel[1] > 120 && pixel[2] < 80;
+}
+
+bool
 isColored (const std::array<int, 3>& pixel)
 {
   const auto [low, high] = std::minmax_element (pixel.begin(), pixel.end());
@@ -362,6 +368,48 @@ TEST_F (Window, ClickTellsOfALine)
   EXPECT_EQ (click (0.5).find ("valley of "), 0U) << window_->getMessage();
 }
 
+TEST_F (Window, ClickedLineIsHighlighted)
+{
+  open (Preset::AUTO);
+  window_->getInteractor()->Render();
+  const View view = fitView (*cloud_, {SIZE, SIZE});
+  const auto click = [&] (const Eigen::Vector2d& at) {
+    mouse (at, vtkCommand::LeftButtonPressEvent);
+    mouse (at, vtkCommand::LeftButtonReleaseEvent);
+  };
+  EXPECT_EQ (0, count (picture(), isYellow));
+  click (project (view, {windingOf (0.4), 0.4, 0.1}));
+  EXPECT_EQ (window_->getMessage().find ("ridge of "), 0U) << window_->getMessage();
+  EXPECT_GT (count (picture(), isYellow), 50);
+  click ({2.0, SIZE - 3.0});
+  EXPECT_EQ (0, count (picture(), isYellow));
+}
+
+TEST_F (Window, SlidersGoBack)
+{
+  open (Preset::AUTO);
+  const CrestSession& session = window_->getSession();
+  const std::size_t lines = session.getLines().size();
+  const auto placeOfFirst = [&] {
+    return dynamic_cast<vtkSliderRepresentation2D*> (
+               window_->getSliders().getWidgets().at (0)->GetRepresentation())
+        ->GetValue();
+  };
+  const double place = placeOfFirst();
+  drag (0, 0.9);
+  drag (4, 0.9);
+  press ('i');
+  EXPECT_NE (place, placeOfFirst());
+  EXPECT_NE (Parameters().angle, session.getParameters().angle);
+  press ('0');
+  EXPECT_EQ (place, placeOfFirst());
+  EXPECT_EQ (Parameters().angle, session.getParameters().angle);
+  EXPECT_EQ (0.0, session.getParameters().min_strength);
+  EXPECT_FALSE (session.getParameters().wanted.ridge) << "which is no slider";
+  press ('i');
+  EXPECT_EQ (lines, session.getLines().size());
+}
+
 // PCL's event loop does not end where the process has had another window before: each
 // of these cases has a process of its own.
 class WindowDeathTest : public testing::Test {
@@ -381,7 +429,9 @@ TEST_F (WindowDeathTest, ReportsWhatCannotBeLoaded)
     ViewerWindow window (options);
     std::string error;
     window.run (
-        [] (const ProgressCallback& progress, std::string& why) {
+        [] (const ProgressCallback& progress,
+            const ViewerWindow::Preview&,
+            std::string& why) {
           progress ("reading", 0.0);
           why = "no such cloud";
           return std::unique_ptr<CrestSession>();
@@ -410,7 +460,9 @@ TEST_F (WindowDeathTest, ClosesDuringWork)
     window->getInteractor()->AddObserver (vtkCommand::TimerEvent, quit, 3.0F);
     std::string error;
     window->run (
-        [] (const ProgressCallback& progress, std::string& why) {
+        [] (const ProgressCallback& progress,
+            const ViewerWindow::Preview&,
+            std::string& why) {
           while (progress ("endless work", 0.5))
             std::this_thread::sleep_for (std::chrono::milliseconds (1));
           why = "cancelled";

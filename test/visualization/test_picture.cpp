@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 
 #include "support/picture.h"
@@ -183,4 +185,72 @@ TEST (CrestScene, HidesLinesOnTheFarSide)
   const Picture parallel (render (scene, view));
   EXPECT_GT (count (parallel, isBlue), PER_RING);
   EXPECT_EQ (count (parallel, isRed), 0);
+}
+
+/** The points and polygons that are drawn. */
+vtkIdType
+drawnCells (vtkRenderer& renderer)
+{
+  vtkIdType cells = 0;
+  vtkPropCollection* const props = renderer.GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* const prop = props->GetNextProp()) {
+    auto* const actor = dynamic_cast<vtkActor*> (prop);
+    if (actor == nullptr || actor->GetVisibility() == 0)
+      continue;
+    auto* const data =
+        dynamic_cast<vtkPolyDataMapper*> (actor->GetMapper())->GetInput();
+    cells += data->GetNumberOfVerts() + data->GetNumberOfPolys();
+  }
+  return cells;
+}
+
+// VTK's styles ask for 15 pictures a second or more while the mouse turns the view.
+TEST (CrestScene, DrawsFewOfManyPointsWhileItMoves)
+{
+  constexpr int SIDE = 600;
+  const Cloud::Ptr cloud (new Cloud);
+  for (int row = 0; row < SIDE; ++row)
+    for (int column = 0; column < SIDE; ++column)
+      cloud->push_back ({static_cast<float> (column),
+                         static_cast<float> (row),
+                         0.0F,
+                         0.0F,
+                         0.0F,
+                         1.0F});
+  CrestScene scene;
+  scene.setPoints (cloud);
+  setCamera (fitView (*cloud, {SIZE, SIZE}), *scene.getRenderer()->GetActiveCamera());
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering (1);
+  window->SetSize (SIZE, SIZE);
+  window->AddRenderer (scene.getRenderer());
+  window->SetDesiredUpdateRate (15.0);
+  // They still cover most of what all do.
+  const Picture few (renderPicture (*window));
+  EXPECT_LE (drawnCells (*scene.getRenderer()), 300000);
+  window->SetDesiredUpdateRate (0.0001);
+  const Picture all (renderPicture (*window));
+  EXPECT_EQ (SIDE * SIDE, drawnCells (*scene.getRenderer()));
+  const int white = count (all, isWhite);
+  EXPECT_LT (count (few, isWhite), white + (SIZE * SIZE - white) / 4);
+  scene.setSurfaceVisible (false);
+  window->SetDesiredUpdateRate (15.0);
+  window->Render();
+  EXPECT_EQ (0, drawnCells (*scene.getRenderer()));
+  window->RemoveRenderer (scene.getRenderer());
+}
+
+TEST (CrestScene, ShowsPointsBeforeTheirSurface)
+{
+  const Cloud::Ptr cloud = waves();
+  CrestScene scene;
+  scene.setPoints (cloud);
+  const View view = fitView (*cloud, {SIZE, SIZE});
+  const Picture dots (render (scene, view));
+  scene.setCloud (cloud);
+  const Picture surface (render (scene, view));
+  const int drawn = SIZE * SIZE - count (dots, isWhite);
+  EXPECT_GT (drawn, 5000);
+  EXPECT_GE (SIZE * SIZE - count (surface, isWhite), drawn);
 }

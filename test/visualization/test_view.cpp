@@ -70,6 +70,31 @@ TEST (FitView, FillsTheWindow)
   }
 }
 
+// A point that is far from all others leaves them as large in the window as they were.
+TEST (FitView, IsNotLedAwayByFewPoints)
+{
+  pcl::PointCloud<pcl::PointNormal> cloud;
+  for (int row = 0; row < 30; ++row)
+    for (int column = 0; column < 30; ++column)
+      cloud.emplace_back (0.1F * column, 0.1F * row, 0.01F * (column % 7), 0, 0, 1);
+  const View alone = fitView (cloud, SIZE);
+  for (const Eigen::Vector3f& far : {Eigen::Vector3f (500.0F, 1.0F, 0.0F),
+                                     Eigen::Vector3f (1.0F, -90.0F, 7.0F),
+                                     Eigen::Vector3f (1.0F, 1.0F, -60.0F),
+                                     Eigen::Vector3f (2.0F, 2.0F, 3000.0F)}) {
+    auto with = cloud;
+    with.emplace_back (far.x(), far.y(), far.z(), 0, 0, 1);
+    const View view = fitView (with, SIZE);
+    EXPECT_TRUE (view.position.isApprox (alone.position)) << far.transpose();
+    EXPECT_TRUE (view.focal_point.isApprox (alone.focal_point)) << far.transpose();
+    EXPECT_GT (view.clip[0], 0.0);
+    EXPECT_GT (view.clip[1], view.clip[0]);
+  }
+  // What is but sparse is part of it.
+  cloud.emplace_back (4.5F, 1.5F, 0.0F, 0, 0, 1);
+  EXPECT_FALSE (fitView (cloud, SIZE).position.isApprox (alone.position));
+}
+
 TEST (FitView, LooksAtTheBroadestSide)
 {
   const Eigen::Vector3f none = Eigen::Vector3f::Zero();

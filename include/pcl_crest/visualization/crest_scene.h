@@ -71,6 +71,12 @@ public:
   setCloud (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud,
             const SurfaceSplats& splats);
 
+  /** \brief Shows the points of a cloud as dots, without lines, before more is known of
+   * it than where they are.
+   */
+  void
+  setPoints (const pcl::PointCloud<pcl::PointNormal>::ConstPtr& cloud);
+
   /** \brief Shows other lines, at the next rendering.
    * \param[in] lines indices into the cloud shown
    */
@@ -85,6 +91,15 @@ public:
   setLines (const std::vector<CrestLine>& lines,
             const pcl::PointCloud<pcl::PointNormal>& line_cloud);
 
+  /** \brief Draws some of the lines once more, thicker and yellow, until others are
+   * shown or highlighted.
+   * \param[in] lines none for none
+   * \param[in] line_cloud as for setLines
+   */
+  void
+  setHighlight (const std::vector<CrestLine>& lines,
+                const pcl::PointCloud<pcl::PointNormal>& line_cloud);
+
   /** \brief A color, red, green and blue up to 255. */
   using Color = std::array<unsigned char, 3>;
 
@@ -96,7 +111,8 @@ public:
   setColors (const std::vector<Color>& colors, bool shaded = true);
 
   /** \brief Draws the points as dots of so many pixels, or as a surface if that is 0,
-   * as at first.
+   * as at first. Of more than 300 thousand points every so many are drawn, as dots,
+   * while the view is turned by the mouse.
    */
   void
   setPointSize (int pixels);
@@ -146,9 +162,15 @@ public:
   pickLine (int x, int y);
 
 private:
-  /** \brief Shows dots or surface, or none. */
+  /** \brief Shows dots or surface, or none; of many points few while the window has to
+   * be fast, as it is told by its desired update rate while the mouse turns the view.
+   */
   void
   choose ();
+
+  /** \brief Before each picture. */
+  void
+  prepare ();
 
   /** \brief Brings lines and strokes nearer to the camera by a little more than the
    * surface's uncertainty, and leaves them where they are in the picture. Lines on the
@@ -161,11 +183,16 @@ private:
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkActor> surface_;
   vtkNew<vtkActor> dots_;
+  /** few of them */
+  vtkNew<vtkActor> coarse_;
   vtkNew<vtkActor> strokes_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkActor> lines_;
+  vtkNew<vtkActor> highlight_;
   /** for each polygon of the surface its point */
   std::vector<index_t> drawn_;
+  /** every so many of these are among the few */
+  std::size_t coarse_step_ = 1;
   /** for each cell of the lines its line */
   std::vector<int> line_of_cell_;
   double lift_ = 0.0;
