@@ -143,12 +143,13 @@ private:
         readArray (child (child (piece, "Points"), "DataArray"), 3 * points, "points");
     checkPointCount (before + points);
     std::vector<double> normals;
-    if (const auto of_points = piece.get_child_optional ("PointData"))
+    if (const auto of_points = piece.get_child_optional ("PointData")) {
       for (const auto& [name, array] : *of_points)
         if (name == "DataArray" && isNormals (*of_points, array))
           normals = readArray (array, 3 * points, "normals");
         else if (name == "DataArray")
           pass (array, before, points);
+    }
     const bool has_normals = !normals.empty();
     if (before != 0 && has_normals != content_.has_normals && points != 0)
       throw ReadError ("only some of its pieces have normals");

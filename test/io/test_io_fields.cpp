@@ -23,6 +23,7 @@
 #include "support/temporary_directory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <random>
@@ -647,7 +648,7 @@ TEST_F (IoFields, OfObj)
   cloud = byPcl (write (read (directory_.file ("b.obj", parts)), "b.pcd"));
   for (unsigned i = 0; i < SIZE; ++i)
     EXPECT_EQ ((std::array<unsigned, 3>{
-                   static_cast<unsigned> (i / 49.0 * 255.0 + 0.5), 0, 255}),
+                   static_cast<unsigned> (std::lround (i / 49.0 * 255.0)), 0, 255}),
                colorAt (cloud, i));
   const InputCloud without = read (directory_.file ("c.obj", some));
   EXPECT_TRUE (without.colors.empty());
@@ -694,7 +695,8 @@ vtkExample (std::size_t size, int channels)
   normals->SetNumberOfComponents (3);
   for (std::size_t i = 0; i < size; ++i) {
     const auto number = static_cast<int> (i);
-    points->InsertNextPoint (number % 7, number / 7, 0.0);
+    const int row = number / 7;
+    points->InsertNextPoint (number % 7, row, 0.0);
     for (int c = 0; c < channels; ++c)
       colors->InsertNextValue (static_cast<unsigned char> (number + c));
     numbers->InsertNextValue (-number);

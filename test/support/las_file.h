@@ -56,7 +56,8 @@ lasRecordsOf (const std::string& text)
     std::memcpy (&number, text.data() + byte, sizeof (number));
   };
   const auto name = [&text] (std::size_t byte, std::size_t size) {
-    return std::string (text.substr (byte, size).c_str());
+    const std::string room = text.substr (byte, size);
+    return room.substr (0, room.find ('\0'));
   };
   std::uint16_t size = 0;
   std::uint32_t count = 0;
