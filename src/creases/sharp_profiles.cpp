@@ -105,18 +105,19 @@ std::vector<CrestProfile>
 profileSharpCrests (const OrientedPoints& points,
                     const SurfaceGraph& graph,
                     const SharpLines& lines,
+                    const std::shared_ptr<const PointTree>& tree,
                     const Workers& workers)
 {
   std::vector<CrestProfile> profiles =
-      profileCrests (points, withoutPoints (graph, lines.blocked), workers);
+      profileCrests (points, withoutPoints (graph, lines.blocked), tree, workers);
   // Narrow strips between lines have too few samples left for a profile, too.
   std::vector<std::uint8_t> needed = lines.blocked;
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (!profiles[i].curvature.valid)
       needed[i] = 1;
   if (std::find (needed.begin(), needed.end(), 1) != needed.end()) {
-    const std::vector<ScaleFit> fits =
-        fitAtScale (finestLevel (points, graph), FINEST_SCALE_NODES, needed, workers);
+    const std::vector<ScaleFit> fits = fitAtScale (
+        finestLevel (points, graph, tree), FINEST_SCALE_NODES, needed, workers);
     for (std::size_t i = 0; i < profiles.size(); ++i)
       if (needed[i] != 0)
         profiles[i] = profileOf (fits[i]);

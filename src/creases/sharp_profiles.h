@@ -5,6 +5,8 @@
 #include "creases/crease_lines.h"
 #include "crests/crest_profile.h"
 
+#include <memory>
+
 namespace pcl {
 namespace crest {
 
@@ -18,11 +20,14 @@ namespace crest {
  * - others that are blocked get the curvature of the finest scale, but no crest;
  * - where a line of the same type runs the same way within .35 of a window's radius,
  *   there is no crest: wide windows see it round its ends, and blur it.
+ *
+ * \param[in] tree over the points
  */
 std::vector<CrestProfile>
 profileSharpCrests (const OrientedPoints& points,
                     const SurfaceGraph& graph,
                     const SharpLines& lines,
+                    const std::shared_ptr<const PointTree>& tree,
                     const Workers& workers);
 
 } // namespace crest

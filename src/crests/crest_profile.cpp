@@ -88,13 +88,13 @@ enum class Next : std::uint8_t {
   RESOLVE
 };
 
-/** \brief The standard error of k1 in a window: without any noise only rounding is
- * left.
+/** \brief The standard error of k1 in a window: without any noise only rounding to
+ * floats is left.
  */
 double
 curvatureError (const ProfilePolynomial& polynomial)
 {
-  return std::max (polynomial.k1_error, 1e-9 / polynomial.window);
+  return std::max (polynomial.k1_error, 1e-7F / polynomial.window);
 }
 
 double
@@ -181,7 +181,7 @@ readProfile (const OrientedPoints& points,
   // The maximum along u is what is measured, and how certainly; how sharp it is takes
   // the line of curvature.
   const double bend = c.bendOnCurvatureLine (
-      std::max (std::abs (own.k1 - own.k2), error), from.errors.slope * error);
+      std::max<double> (std::abs (own.k1 - own.k2), error), from.errors.slope * error);
   const double slope_z = c.slope / (from.errors.slope * error);
   const double peak_z = -c.bend / (from.errors.bend * error);
   const double z = std::hypot (slope_z, peak_z);
@@ -245,13 +245,16 @@ neededNodes (const PyramidLevel& level, const std::vector<Next>& next, int rings
 } // namespace
 
 std::vector<CrestProfile>
-profileCrests (const OrientedPoints& points, SurfaceGraph graph, const Workers& workers)
+profileCrests (const OrientedPoints& points,
+               SurfaceGraph graph,
+               std::shared_ptr<const PointTree> tree,
+               const Workers& workers)
 {
   std::vector<CrestProfile> profiles = makeLarge (points.size(), CrestProfile());
   std::vector<Next> next (points.size(), Next::RESOLVE);
   std::vector<float> foot_errors = makeLarge (points.size(), 0.0F);
   const std::vector<float> spacing = std::move (graph.spacing);
-  PyramidLevel level = finestLevel (points, std::move (graph));
+  PyramidLevel level = finestLevel (points, std::move (graph), std::move (tree));
   int at_level = 0;
   for (int scale = 0; scale < static_cast<int> (SCALES.size()); ++scale) {
     if (workers.progress != nullptr)

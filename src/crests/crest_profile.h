@@ -6,6 +6,7 @@
 #include "curvature/quadric.h"
 
 #include <limits>
+#include <memory>
 
 namespace pcl {
 namespace crest {
@@ -69,10 +70,13 @@ struct CrestProfile {
  * The smallest significant scale keeps sharp features sharp, and noise silent: where
  * curvature is constant, as on planes, spheres, cylinders and tori, none is
  * significant.
+ *
+ * \param[in] tree over the points
  */
 std::vector<CrestProfile>
 profileCrests (const OrientedPoints& points,
                SurfaceGraph graph,
+               std::shared_ptr<const PointTree> tree,
                const Workers& workers);
 
 /** \brief The curvature of the surface at a sample, for those who ask for it rather

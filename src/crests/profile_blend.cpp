@@ -24,28 +24,32 @@ blendProfiles (const Eigen::Vector3d& sample,
 
   const ScaleFit& own = fits[node];
   const double window = polynomials[node].window;
+  const double per_squared_reach = 1.0 / (REACH * window * REACH * window);
   BlendedProfile sum{Eigen::Vector3d::Zero(), 0.0, {0.0, 0.0, 0.0}};
   double weights = 0.0;
   const auto add = [&] (index_t q, double least_weight) {
+    const Eigen::Vector3d e = sample - level.positions[q].cast<double>();
+    const double g = std::max (0.0, 1.0 - e.squaredNorm() * per_squared_reach);
+    const double w = std::max (g * g, least_weight);
+    // Most are too far.
+    if (w == 0.0)
+      return;
     const ScaleFit& fit = fits[q];
     const ProfilePolynomial& polynomial = polynomials[q];
     if (!polynomial.valid)
       return;
-    const Eigen::Vector3d e = sample - level.positions[q].cast<double>();
-    const double g =
-        std::max (0.0, 1.0 - e.squaredNorm() / (REACH * window * REACH * window));
-    const double w = std::max (g * g, least_weight);
     const double turn = fit.t1.dot (own.t1);
     const Eigen::Vector3d normal = fit.normal.cast<double>();
     const Eigen::Vector3d t1 = fit.t1.cast<double>();
-    if (w == 0.0 || fit.k1 * own.k1 <= 0.0 || std::abs (turn) < SAME_DIRECTION)
+    if (static_cast<double> (fit.k1) * own.k1 <= 0.0 ||
+        std::abs (turn) < SAME_DIRECTION)
       return;
     const double sign = turn > 0.0 ? 1.0 : -1.0;
     const double u = e.dot (t1);
     const double v = e.dot (normal.cross (t1));
-    const ProfileParabola at =
-        polynomial.at (u / polynomial.window, v / polynomial.window);
-    const double unit = window / polynomial.window;
+    const double per_window = 1.0 / polynomial.window;
+    const ProfileParabola at = polynomial.at (per_window * u, per_window * v);
+    const double unit = per_window * window;
     sum.profile.slope += w * sign * unit * at.slope;
     sum.profile.bend += w * unit * unit * at.bend;
     sum.profile.drift += w * sign * unit * at.drift;

@@ -2,7 +2,6 @@
 // How the largest curvature runs around a node of a pyramid level.
 #pragma once
 
-#include "curvature/fit_kernels.h"
 #include "curvature/scale_fit.h"
 
 namespace pcl {
@@ -32,15 +31,15 @@ struct ProfileParabola {
  * along t1 and v along t2, both in units of the window.
  */
 struct ProfilePolynomial {
-  static constexpr int TERMS = ProfileFit::TERMS;
+  static constexpr int TERMS = 7;
 
-  /** of 1, u, u^2, v, u v, v^2 and u v^2, the last 0 in a round window; times the
-   * window, which leaves no unit */
+  /** of 1, u, v, u^2, u v, v^2 and u v^2, the last 0 in a round window; times the
+   * window, which leaves no unit. The first is what is more than k1. */
   Eigen::Matrix<float, TERMS, 1> coefficients = Eigen::Matrix<float, TERMS, 1>::Zero();
   /** half its width along t1, in the cloud's unit */
-  double window = 0.0;
+  float window = 0.0F;
   /** standard error of k1 in it */
-  double k1_error = 0.0;
+  float k1_error = 0.0F;
   /** the second lowest and the second highest u of its nodes */
   float first_u = 0.0F;
   float last_u = 0.0F;

@@ -134,23 +134,6 @@ fitQuadrics (const LaneVector& normals,
 
 constexpr int DEGREE = CubicSums::DEGREE;
 
-/** \brief The place of u^a v^b among the monomials. */
-constexpr int
-placeOf (int a, int b)
-{
-  return monomials (a + b - 1) + b;
-}
-
-struct Monomial {
-  int a, b;
-};
-
-/** The terms of a cubic, in the order of the monomials. */
-constexpr Monomial CUBIC[CubicSums::TERMS] = {
-    {0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}};
-constexpr Monomial PROFILE[ProfileFit::TERMS] = {
-    {0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}};
-
 /** \brief The sum of the product of two terms. */
 template <int N>
 PCL_CREST_INLINE const Lanes&
@@ -200,7 +183,8 @@ fitCubics (const CubicSums& sums, CubicFit& fit)
     x[i] = sums.heights[i];
 #pragma GCC unroll 10
     for (int j = 0; j <= i; ++j)
-      matrix.factor[Matrix::at (i, j)] = product (sums.powers, CUBIC[i], CUBIC[j]);
+      matrix.factor[Matrix::at (i, j)] =
+          product (sums.powers, CUBIC_TERMS[i], CUBIC_TERMS[j]);
     matrix.factor[Matrix::at (i, i)] += OPEN * sums.powers[0];
   }
   matrix.decompose();
@@ -211,81 +195,6 @@ fitCubics (const CubicSums& sums, CubicFit& fit)
   matrix.solveUpper (x);
   for (int i = 0; i < N; ++i)
     fit.coefficients[i] = x[i];
-  fit.factor = matrix;
-}
-
-PCL_CREST_INLINE void
-bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& variance)
-{
-  // The first of the second derivatives, of which r and t are twice the coefficients.
-  constexpr int FIRST = monomials (1);
-  Lanes direction[CubicSums::TERMS] = {};
-  direction[FIRST] = 2.0 * x * x;
-  direction[FIRST + 1] = 2.0 * x * y;
-  direction[FIRST + 2] = 2.0 * y * y;
-  fit.factor.solveLower (direction, FIRST);
-  variance = direction[FIRST] * direction[FIRST];
-  for (int i = FIRST + 1; i < CubicSums::TERMS; ++i)
-    variance += direction[i] * direction[i];
-}
-
-/** \brief The highest power of u or v in a product of two terms of a profile. */
-constexpr int HIGHEST = 4;
-
-/** \brief Whether u^a v^b is such a product, of the first terms. */
-struct Products {
-  bool are[HIGHEST + 1][HIGHEST + 1] = {};
-
-  explicit constexpr Products (int terms)
-  {
-    for (int i = 0; i < terms; ++i)
-      for (int j = 0; j < terms; ++j)
-        are[PROFILE[i].a + PROFILE[j].a][PROFILE[i].b + PROFILE[j].b] = true;
-  }
-};
-
-template <bool BENT>
-PCL_CREST_INLINE void
-fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
-{
-  constexpr int N = BENT ? ProfileFit::TERMS : ProfileFit::TERMS - 1;
-  constexpr Products PRODUCTS (N);
-  constexpr double OPEN = 1e-5;
-  Lanes powers[HIGHEST + 1][HIGHEST + 1] = {};
-  Lanes x[N] = {};
-  for (int i = 0; i < count; ++i) {
-    const LaneSample& s = samples[i];
-    Lanes power[HIGHEST + 1][HIGHEST + 1];
-    power[0][0] = s.weight;
-#pragma GCC unroll 5
-    for (int a = 0; a <= HIGHEST; ++a) {
-      if (a > 0)
-        power[a][0] = power[a - 1][0] * s.u;
-#pragma GCC unroll 5
-      for (int b = 0; b <= HIGHEST; ++b) {
-        if (b > 0)
-          power[a][b] = power[a][b - 1] * s.v;
-        if (PRODUCTS.are[a][b])
-          powers[a][b] += power[a][b];
-      }
-    }
-#pragma GCC unroll 7
-    for (int j = 0; j < N; ++j)
-      x[j] += power[PROFILE[j].a][PROFILE[j].b] * s.value;
-  }
-  using Matrix = LaneCholesky<N>;
-  Matrix matrix;
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j <= i; ++j)
-      matrix.factor[Matrix::at (i, j)] =
-          powers[PROFILE[i].a + PROFILE[j].a][PROFILE[i].b + PROFILE[j].b];
-    matrix.factor[Matrix::at (i, i)] += OPEN * powers[0][0];
-  }
-  matrix.decompose();
-  matrix.solveLower (x);
-  matrix.solveUpper (x);
-  for (int i = 0; i < ProfileFit::TERMS; ++i)
-    fit.coefficients[i] = i < N ? x[i] : Lanes{};
 }
 
 // The same once for each set of instructions: what is inline becomes part of functions
@@ -312,21 +221,7 @@ fitProfiles (const LaneSample* samples, int count, ProfileFit& fit)
   {                                                                                    \
     crest::fitCubics (sums, fit);                                                      \
   }                                                                                    \
-  PCL_CREST_TARGET_##NAME void                                                         \
-  bendVariance (const CubicFit& fit, const Lanes& x, const Lanes& y, Lanes& variance)  \
-  {                                                                                    \
-    crest::bendVariance (fit, x, y, variance);                                         \
-  }                                                                                    \
-  PCL_CREST_TARGET_##NAME void                                                         \
-  fitProfiles (const LaneSample* samples, int count, bool bent, ProfileFit& fit)       \
-  {                                                                                    \
-    if (bent)                                                                          \
-      crest::fitProfiles<true> (samples, count, fit);                                  \
-    else                                                                               \
-      crest::fitProfiles<false> (samples, count, fit);                                 \
-  }                                                                                    \
-  constexpr FitKernels KERNELS{                                                        \
-      fitQuadrics, addHeights, fitCubics, bendVariance, fitProfiles};                  \
+  constexpr FitKernels KERNELS{fitQuadrics, addHeights, fitCubics};                    \
   }
 
 PCL_CREST_FIT_KERNELS (portable)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "curvature/lanes.h"
+#include "curvature/monomials.h"
 #include "search/simd.h"
 
 namespace pcl {
@@ -57,15 +58,6 @@ struct QuadricFit {
   LaneVector t1;
 };
 
-/** \brief The number of monomials u^a v^b of up to a degree. They are ordered by degree
- * and then by b: 1, u, v, u^2, u v, v^2, u^3...
- */
-constexpr int
-monomials (int degree)
-{
-  return (degree + 1) * (degree + 2) / 2;
-}
-
 /** \brief Weighted sums over samples that the normal equations of a cubic height
  * function are made of.
  */
@@ -87,15 +79,6 @@ struct CubicFit {
   /** weighted sum of squares that the cubic leaves; not finite where heights are no
    * function of the place, as seen along a face */
   Lanes residual;
-  /** of the normal equations' matrix */
-  LaneCholesky<CubicSums::TERMS> factor;
-};
-
-/** \brief Polynomials with the terms 1, u, u^2, v, u v, v^2, u v^2. */
-struct ProfileFit {
-  static constexpr int TERMS = 7;
-
-  Lanes coefficients[TERMS];
 };
 
 /** \brief The inner loops, for some instructions: all give the same results. */
@@ -113,23 +96,6 @@ struct FitKernels {
    * these become zero.
    */
   void (*fitCubics) (const CubicSums& sums, CubicFit& fit);
-
-  /** \brief The variance of x^2 r + 2 x y s + y^2 t, in units of that of a sample of
-   * weight 1 under weights that are inverse variances; r, s, t are the second
-   * derivatives of the cubics at the origin.
-   */
-  void (*bendVariance) (const CubicFit& fit,
-                        const Lanes& x,
-                        const Lanes& y,
-                        Lanes& variance);
-
-  /** \brief Fits values.
-   * \param[in] bent whether there is a term u v^2; its coefficient is 0 if not
-   */
-  void (*fitProfiles) (const LaneSample* samples,
-                       int count,
-                       bool bent,
-                       ProfileFit& fit);
 };
 
 /** \brief The portable ones where others are not available; SSE2 is as portable. */

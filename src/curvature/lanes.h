@@ -16,6 +16,12 @@ constexpr int LANES = 4;
 using Lanes = double __attribute__ ((vector_size (LANES * sizeof (double)),
                                      aligned (LANES * sizeof (double))));
 
+/** \brief These, as a parameter of templates. */
+struct DoubleRegisters {
+  using Number = double;
+  using Numbers = Lanes;
+};
+
 /** \brief What comparing lanes gives: all bits of a lane, or none. */
 using LaneMask = long long __attribute__ ((vector_size (LANES * sizeof (long long)),
                                            aligned (LANES * sizeof (long long))));
@@ -27,10 +33,12 @@ using LaneMask = long long __attribute__ ((vector_size (LANES * sizeof (long lon
  */
 #define PCL_CREST_INLINE inline __attribute__ ((always_inline))
 
+template <typename Numbers>
 PCL_CREST_INLINE void
-takeRoots (Lanes& squares)
+takeRoots (Numbers& squares)
 {
-  for (int lane = 0; lane < LANES; ++lane)
+  constexpr int SIZE = sizeof (Numbers) / sizeof (squares[0]);
+  for (int lane = 0; lane < SIZE; ++lane)
     squares[lane] = std::sqrt (squares[lane]);
 }
 
@@ -38,7 +46,7 @@ takeRoots (Lanes& squares)
  * comes. A Fitter puts something into the lane queued_, calls push, and has a function
  * run for what is queued.
  */
-template <typename Fitter>
+template <typename Fitter, int SIZE = LANES>
 class LaneBatch {
 public:
   /** \brief To be called after the last. */
@@ -54,7 +62,7 @@ protected:
   void
   push ()
   {
-    if (++queued_ == LANES)
+    if (++queued_ == SIZE)
       finish();
   }
 
@@ -65,10 +73,13 @@ protected:
  * ten. Eigen's, which is made for large ones too, calls kernels for parts of a few
  * numbers.
  */
-template <int N>
+template <int N, typename Registers = DoubleRegisters>
 struct LaneCholesky {
+  using Number = typename Registers::Number;
+  using Numbers = typename Registers::Numbers;
+
   /** the lower triangle, row by row; the diagonal is inverse */
-  Lanes factor[N * (N + 1) / 2];
+  Numbers factor[N * (N + 1) / 2];
 
   static constexpr int
   at (int row, int column)
@@ -84,9 +95,9 @@ struct LaneCholesky {
   {
 #pragma GCC unroll 10
     for (int k = 0; k < N; ++k) {
-      Lanes& pivot = factor[at (k, k)];
+      Numbers& pivot = factor[at (k, k)];
       takeRoots (pivot);
-      pivot = 1.0 / pivot;
+      pivot = Number{1} / pivot;
 #pragma GCC unroll 10
       for (int i = k + 1; i < N; ++i)
         factor[at (i, k)] *= pivot;
@@ -100,7 +111,7 @@ struct LaneCholesky {
 
   /** \brief Replaces b by L^-1 b; its entries before the first are zero. */
   PCL_CREST_INLINE void
-  solveLower (Lanes (&b)[N], int first = 0) const
+  solveLower (Numbers (&b)[N], int first = 0) const
   {
 #pragma GCC unroll 10
     for (int i = first; i < N; ++i) {
@@ -113,7 +124,7 @@ struct LaneCholesky {
 
   /** \brief Replaces y by L^-T y. */
   PCL_CREST_INLINE void
-  solveUpper (Lanes (&y)[N]) const
+  solveUpper (Numbers (&y)[N]) const
   {
 #pragma GCC unroll 10
     for (int i = N - 1; i >= 0; --i) {

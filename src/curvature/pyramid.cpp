@@ -141,11 +141,14 @@ coarserGraph (const SurfaceGraph& fine,
 } // namespace
 
 PyramidLevel
-finestLevel (const OrientedPoints& points, SurfaceGraph graph)
+finestLevel (const OrientedPoints& points,
+             SurfaceGraph graph,
+             std::shared_ptr<const PointTree> tree)
 {
   PyramidLevel level;
   level.positions = copyLarge (points.positions);
   level.normals = copyLarge (points.normals);
+  level.tree = std::move (tree);
   level.weights.assign (points.size(), 1.0F);
   level.graph = std::move (graph);
   level.node_of.resize (points.size());
@@ -230,6 +233,7 @@ coarserLevel (const PyramidLevel& fine, const Workers& workers)
   coarse.normals.resize (size);
   coarse.weights.assign (size, 0.0F);
   average (fine, coarse_of, coarse);
+  coarse.tree = treeOver (coarse.positions, workers.threads);
   coarse.graph = coarserGraph (fine.graph, coarse_of, coarse.size());
   coarse.node_of.reserve (fine.node_of.size());
   for (const index_t node : fine.node_of)

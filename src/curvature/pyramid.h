@@ -2,7 +2,10 @@
 // The surface at coarser and coarser samplings, for curvature at a scale.
 #pragma once
 
+#include "search/position_tree.h"
 #include "surface/surface_graph.h"
+
+#include <memory>
 
 namespace pcl {
 namespace crest {
@@ -13,6 +16,8 @@ namespace crest {
 struct PyramidLevel {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
+  /** over the positions */
+  std::shared_ptr<const PointTree> tree;
   /** samples that each node is the mean of */
   std::vector<float> weights;
   /** nodes are neighbours where any of their samples are */
@@ -27,9 +32,13 @@ struct PyramidLevel {
   }
 };
 
-/** \brief The samples themselves as the finest level. */
+/** \brief The samples themselves as the finest level.
+ * \param[in] tree over them
+ */
 PyramidLevel
-finestLevel (const OrientedPoints& points, SurfaceGraph graph);
+finestLevel (const OrientedPoints& points,
+             SurfaceGraph graph,
+             std::shared_ptr<const PointTree> tree);
 
 /** \brief Chooses samples, or nodes, no two of them neighbours, of which every other
  * has one among its neighbours.

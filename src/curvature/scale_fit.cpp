@@ -3,7 +3,8 @@
 
 #include "base/large_arrays.h"
 #include "base/parallel.h"
-#include "curvature/local_cubic.h"
+#include "curvature/near_nodes.h"
+#include "curvature/scale_kernels.h"
 #include "search/kernels.h"
 #include "surface/node_walk.h"
 
@@ -17,31 +18,16 @@ namespace crest {
 
 namespace {
 
-constexpr int TERMS = CubicSums::TERMS;
+/** Fewer nodes than this leave too little to tell noise from shape by: four more than a
+ * cubic has terms. */
+constexpr std::size_t LEAST_NODES = 14;
 
-/** Fewer nodes than this leave too little to tell noise from shape by. */
-constexpr std::size_t LEAST_NODES = TERMS + 4;
+/** Just beyond right angles, whose other face is part of the crest. */
+constexpr float NO_OTHER_SHEET = -0.02F;
 
-/** The frame is tilted again where its slope is above a twentieth (3 degrees). */
-constexpr double LARGEST_SQUARED_SLOPE = 0.05 * 0.05;
-constexpr int MOST_FITS = 3;
-
-/** \brief The weights of the fit are no inverse variances, as they fall off to the rim.
- * With kappa the mean of the kernel g under the weights, kappa A^-1 is near to the true
- * covariance A^-1 (sum g w x x^T) A^-1, but not near enough for a test; these are the
- * ratios of the true values to it for a cubic under (1 - r^2)^2 on a disc: of the
- * degrees of freedom that the fit takes, and of the variance of a second derivative. By
- * numerical integration; on 28 to 70 scattered nodes they differ by less than .02.
+/** A little more than the distance of the farthest node, which, too, has a weight then.
  */
-constexpr double TAKEN_FREEDOM = 0.60;
-constexpr double CURVATURE_VARIANCE = 0.615;
-
-/** \brief A node as walks see it. */
-struct SeenNode {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();
-  float weight = 0.0F;
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-};
+constexpr double LARGER_RADIUS = 1.02;
 
 struct LoadNode {
   const PyramidLevel& level;
@@ -49,72 +35,87 @@ struct LoadNode {
   SeenNode
   operator() (index_t q) const
   {
-    return {level.positions[q], level.weights[q], level.normals[q]};
+    return {level.positions[q], level.weights[q], level.normals[q], false};
   }
 };
 
 /** \brief Fits some nodes at a time. */
-class CubicFitter : public LaneBatch<CubicFitter> {
+class CubicFitter : public LaneBatch<CubicFitter, FLOAT_LANES> {
 public:
-  CubicFitter (const PyramidLevel& level, int nearest)
+  CubicFitter (const PyramidLevel& level,
+               const std::vector<SeenNode>& nodes,
+               int nearest)
   : level_ (level)
+  , nodes_ (nodes)
   , nearest_ (nearest)
   , walk_ (level.graph, {level})
-  , samples_ (static_cast<std::size_t> (nearest))
+  , rows_ (static_cast<std::size_t> (nearest))
+  , room_ (rows_.size())
   {}
 
   /** \brief Fits a node together with others, at the latest when finish is called. */
   void
-  fit (index_t node, ScaleFit& result)
+  fit (std::int32_t place, index_t node, const NearNodes& near, ScaleFit& result)
   {
-    Fit& next = fits_[queued_];
-    if (!gather (node, next))
+    const float radius = takeNear (place, near) ? near_radius_ : walkedRadius (node);
+    if (!(radius > 0.0F))
       return;
-    next.result = &result;
-    next.frame = Frame (level_.normals[node].cast<double>().normalized());
-    next.state = State::OPEN;
+    const Eigen::Vector3f& p = level_.positions[node];
+    const float per_radius = 1.0F / radius;
+    std::size_t i = 0;
+    for (; i < neighbors_.size(); ++i)
+      set (i, (neighbors_[i].position - p) * per_radius, neighbors_[i].weight);
+    for (; i < rows_.size(); ++i)
+      set (i, Eigen::Vector3f::Zero(), 0.0F);
+    const Eigen::Vector3f normal = level_.normals[node].normalized();
+    normals_.x[queued_] = normal.x();
+    normals_.y[queued_] = normal.y();
+    normals_.z[queued_] = normal.z();
+    radii_[queued_] = radius;
+    results_[queued_] = &result;
     push();
   }
 
 private:
-  friend LaneBatch<CubicFitter>;
+  friend LaneBatch<CubicFitter, FLOAT_LANES>;
 
-  void
-  run ()
-  {
-    int fits = 1;
-    while (fitInFrames (fits == MOST_FITS))
-      ++fits;
-  }
-
-  enum class State { OPEN, FITTED, DONE };
-
-  /** \brief A node that is fitted. */
   struct Neighbor {
     Eigen::Vector3f position = Eigen::Vector3f::Zero();
     float weight = 0.0F;
   };
 
-  /** \brief What is being fitted in a lane. */
-  struct Fit {
-    index_t node = 0;
-    ScaleFit* result = nullptr;
-    std::vector<Neighbor> neighbors;
-    double radius = 0.0;
-    Frame frame;
-    /** sums over the neighbours of the kernel g, and of kernel squared times samples */
-    double kernel = 0.0;
-    double kernel_weight = 0.0;
-    LocalCubic cubic;
-    Principal principal;
-    State state = State::DONE;
+  void
+  set (std::size_t i, const Eigen::Vector3f& edge, float weight)
+  {
+    NodeRow& row = rows_[i];
+    row.edge.x[queued_] = edge.x();
+    row.edge.y[queued_] = edge.y();
+    row.edge.z[queued_] = edge.z();
+    row.weight[queued_] = weight;
+  }
 
-    Eigen::Vector3d
-    normalOf (const LocalCubic& surface) const
-    {
-      return (frame.n - surface.p * frame.x - surface.q * frame.y).normalized();
+  void
+  run ()
+  {
+    ScaleFitRow fits;
+    kernels_.fit (
+        rows_.data(), static_cast<int> (rows_.size()), normals_, room_.data(), fits);
+    for (int lane = 0; lane < queued_; ++lane) {
+      if (fits.valid[lane] == 0.0F)
+        continue;
+      const float radius = radii_[lane];
+      *results_[lane] = {
+          fits.k1[lane] / radius,
+          fits.k2[lane] / radius,
+          {fits.t1.x[lane], fits.t1.y[lane], fits.t1.z[lane]},
+          {fits.normal.x[lane], fits.normal.y[lane], fits.normal.z[lane]},
+          fits.offset[lane] * radius,
+          radius,
+          std::sqrt (fits.variance[lane]) * radius,
+          std::sqrt (fits.k1_variance[lane]) / radius,
+          true};
     }
-  };
+  }
 
   /** \brief What a walk has reached: squared distance, index, and which of it. */
   struct Candidate {
@@ -129,16 +130,47 @@ private:
     }
   };
 
-  /** \brief Finds the nearest nodes of those that a walk over the surface reaches
-   * first: a quarter more than are wanted, as rings are no circles. Returns false if
-   * there are too few.
+  /** \brief Takes the nearest of the node's sheet, unless there may be something in the
+   * way to them.
    */
   bool
-  gather (index_t node, Fit& fit)
+  takeNear (std::int32_t place, const NearNodes& near)
+  {
+    const SeenNode& own = nodes_[place];
+    const auto wanted = static_cast<std::size_t> (nearest_);
+    if (own.is_alone)
+      return false;
+    neighbors_.resize (wanted + 1);
+    neighbors_[0] = {own.position, own.weight};
+    std::size_t taken = 1;
+    int others = 0;
+    float farthest = 0.0F;
+    for (std::size_t i = 0; i < near.count && taken < wanted; ++i) {
+      const SeenNode& q = nodes_[near.places[i]];
+      if (q.is_alone)
+        return false;
+      const float cosine = q.normal.dot (own.normal);
+      neighbors_[taken] = {q.position, q.weight};
+      taken += cosine > NO_OTHER_SHEET ? 1 : 0;
+      others += cosine > SAME_SHEET_COSINE ? 0 : 1;
+      farthest = near.squared_distances[i];
+    }
+    if (taken < wanted || others > mostOthers (nearest_))
+      return false;
+    neighbors_.resize (taken);
+    near_radius_ = static_cast<float> (
+        LARGER_RADIUS * std::sqrt (static_cast<double> (farthest)) * level_.tree->unit);
+    return true;
+  }
+
+  /** \brief Takes the nearest nodes of those that a walk over the surface reaches
+   * first: a quarter more than are wanted, as rings are no circles.
+   * \return the radius of the fit, 0 if there are too few
+   */
+  float
+  walkedRadius (index_t node)
   {
     const Eigen::Vector3f& n = level_.normals[node];
-    // Just beyond right angles, whose other face is part of the crest.
-    constexpr float NO_OTHER_SHEET = -0.02F;
     const auto same_sheet = [&n] (const SeenNode& q) {
       return q.normal.dot (n) > NO_OTHER_SHEET;
     };
@@ -147,13 +179,10 @@ private:
     walk_.start (node);
     while (walk_.size() < enough && walk_.advance (same_sheet)) {
     }
-    fit.node = node;
-    const double farthest = takeNearest (level_.positions[node], fit.neighbors);
-    if (fit.neighbors.size() < LEAST_NODES)
-      return false;
-    // A little more, so that the farthest node, too, has a weight.
-    fit.radius = 1.02 * farthest;
-    return fit.radius > 0.0;
+    const double farthest = takeNearest (level_.positions[node], neighbors_);
+    return neighbors_.size() < LEAST_NODES
+               ? 0.0F
+               : static_cast<float> (LARGER_RADIUS * farthest);
   }
 
   /** \brief Takes the nearest nodes of the walk, of equally near ones those of lower
@@ -241,129 +270,35 @@ private:
   void
   rank (std::size_t count)
   {
-    nodes_.resize (count + KERNEL_SLACK);
+    numbers_.resize (count + KERNEL_SLACK);
     ranks_.resize (count + KERNEL_SLACK);
     for (std::size_t i = 0; i < count; ++i)
-      nodes_[i] = candidates_[i].node;
+      numbers_[i] = candidates_[i].node;
     const auto ranked = static_cast<int> (count);
     if (!search_kernels_.rankDistinct (parts_.data(), ranked, ranks_.data()))
-      search_kernels_.rankTied (parts_.data(), nodes_.data(), ranked, ranks_.data());
-  }
-
-  /** \brief One fit of each that is open; returns whether some have to be repeated with
-   * the new normal.
-   */
-  bool
-  fitInFrames (bool last)
-  {
-    const auto each = [this] (State state, const auto& work) {
-      for (int lane = 0; lane < queued_; ++lane)
-        if (fits_[lane].state == state)
-          work (fits_[lane], lane);
-    };
-    each (State::OPEN, [this] (Fit& fit, int lane) { setSamples (fit, lane); });
-    CubicSums sums;
-    kernels_.addHeights (samples_.data(), static_cast<int> (samples_.size()), sums);
-    CubicFit cubics;
-    kernels_.fitCubics (sums, cubics);
-
-    bool any_open = false;
-    Lanes x = {};
-    Lanes y = {};
-    each (State::OPEN, [&] (Fit& fit, int lane) {
-      const LocalCubic cubic (sums, cubics, lane);
-      if (!cubic.valid)
-        fit.state = State::DONE;
-      else if (!last && cubic.p * cubic.p + cubic.q * cubic.q > LARGEST_SQUARED_SLOPE) {
-        fit.frame = Frame (fit.normalOf (cubic));
-        any_open = true;
-      }
-      else {
-        fit.cubic = cubic;
-        fit.principal = Principal (cubic);
-        x[lane] = fit.principal.x;
-        y[lane] = fit.principal.y;
-        fit.state = State::FITTED;
-      }
-    });
-    Lanes variances;
-    kernels_.bendVariance (cubics, x, y, variances);
-    each (State::FITTED, [&] (Fit& fit, int lane) {
-      describe (fit, variances[lane]);
-      fit.state = State::DONE;
-    });
-    return any_open;
-  }
-
-  /** \brief Sets the samples of a lane: lengths in units of the radius, weights are the
-   * kernel's times the number of samples.
-   */
-  void
-  setSamples (Fit& fit, int lane)
-  {
-    const Eigen::Vector3d p = level_.positions[fit.node].cast<double>();
-    fit.kernel = 0.0;
-    fit.kernel_weight = 0.0;
-    for (std::size_t i = 0; i < fit.neighbors.size(); ++i) {
-      const Neighbor& q = fit.neighbors[i];
-      const Eigen::Vector3d e = (q.position.cast<double>() - p) / fit.radius;
-      const double g = 1.0 - e.squaredNorm();
-      const double kernel = g * g;
-      const double weight = kernel * q.weight;
-      LaneSample& sample = samples_[i];
-      sample.u[lane] = e.dot (fit.frame.x);
-      sample.v[lane] = e.dot (fit.frame.y);
-      sample.value[lane] = e.dot (fit.frame.n);
-      sample.weight[lane] = weight;
-      fit.kernel += kernel;
-      fit.kernel_weight += weight * kernel;
-    }
-    for (std::size_t i = fit.neighbors.size(); i < samples_.size(); ++i)
-      samples_[i].clear (lane);
-  }
-
-  /** \param[in] bend_variance that of the second derivative along the direction of k1
-   */
-  static void
-  describe (const Fit& fit, double bend_variance)
-  {
-    const LocalCubic& c = fit.cubic;
-    const Principal& principal = fit.principal;
-    const Frame& frame = fit.frame;
-    const double kappa = fit.kernel_weight / c.weight;
-    const double freedom =
-        std::max (fit.kernel - TAKEN_FREEDOM * kappa * TERMS, 0.1 * fit.kernel);
-    const double variance = c.residual / freedom;
-    const double k1_variance = variance * CURVATURE_VARIANCE * kappa * bend_variance;
-
-    const Eigen::Vector3d t1 = principal.x * frame.x + principal.y * frame.y +
-                               (c.p * principal.x + c.q * principal.y) * frame.n;
-    const Eigen::Vector3d normal = fit.normalOf (c);
-    ScaleFit& result = *fit.result;
-    result.k1 = principal.k1 / fit.radius;
-    result.k2 = principal.k2 / fit.radius;
-    result.t1 = t1.normalized().cast<float>();
-    result.normal = normal.cast<float>();
-    result.offset = c.offset * fit.radius * frame.n.dot (normal);
-    result.radius = fit.radius;
-    result.noise = std::sqrt (variance) * fit.radius;
-    result.k1_error = std::sqrt (std::max (0.0, k1_variance)) / fit.radius;
-    result.valid = true;
+      search_kernels_.rankTied (parts_.data(), numbers_.data(), ranked, ranks_.data());
   }
 
   const PyramidLevel& level_;
+  const std::vector<SeenNode>& nodes_;
   const Kernels& search_kernels_ = kernelsFor (bestSimd());
-  const FitKernels& kernels_ = fitKernels();
+  const ScaleKernels& kernels_ = scaleKernels();
   int nearest_;
   NodeWalk<LoadNode> walk_;
   /** what a walk has reached */
   std::vector<Candidate> candidates_;
   /** of these as parts of the largest */
   std::vector<float> parts_;
-  std::vector<std::int32_t> nodes_;
+  std::vector<std::int32_t> numbers_;
   std::vector<std::int32_t> ranks_;
-  std::array<Fit, LANES> fits_;
-  std::vector<LaneSample> samples_;
+  /** the last that were taken, and how far they are */
+  std::vector<Neighbor> neighbors_;
+  float near_radius_ = 0.0F;
+  std::vector<NodeRow> rows_;
+  std::vector<FrameRow> room_;
+  FloatVectorRow normals_;
+  std::array<float, FLOAT_LANES> radii_{};
+  std::array<ScaleFit*, FLOAT_LANES> results_{};
 };
 
 /** \brief Replaces each node's estimate of the noise by the mean over its star: one
@@ -376,12 +311,12 @@ poolNoise (const PyramidLevel& level,
 {
   std::vector<double> variance (fits.size());
   for (std::size_t i = 0; i < fits.size(); ++i)
-    variance[i] = fits[i].noise * fits[i].noise;
+    variance[i] = static_cast<double> (fits[i].noise) * fits[i].noise;
   forEachBlock (
       fits.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           ScaleFit& fit = fits[i];
-          if (!fit.valid || !(fit.noise > 0.0))
+          if (!fit.valid || !(fit.noise > 0.0F))
             continue;
           double sum = variance[i];
           int count = 1;
@@ -390,7 +325,7 @@ poolNoise (const PyramidLevel& level,
               sum += variance[q];
               ++count;
             }
-          const double pooled = std::sqrt (sum / count);
+          const auto pooled = static_cast<float> (std::sqrt (sum / count));
           fit.k1_error *= pooled / fit.noise;
           fit.noise = pooled;
         }
@@ -406,12 +341,19 @@ fitAtScale (const PyramidLevel& level,
             const Workers& workers)
 {
   std::vector<ScaleFit> fits = makeLarge (level.size(), ScaleFit());
+  const std::vector<SeenNode> nodes = nodesInTreeOrder (level, workers);
+  const int others = nearest - 1 + mostOthers (nearest);
   forEachBlock (
       level.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
-        CubicFitter fitter (level, nearest);
-        for (std::size_t i = first; i < last; ++i)
-          if (needed[i] != 0)
-            fitter.fit (static_cast<index_t> (i), fits[i]);
+        CubicFitter fitter (level, nodes, nearest);
+        visitNearNodes (*level.tree,
+                        needed,
+                        others,
+                        first,
+                        last,
+                        [&] (std::int32_t place, index_t node, const NearNodes& near) {
+                          fitter.fit (place, node, near, fits[node]);
+                        });
         fitter.finish();
       });
   poolNoise (level, fits, workers);

@@ -11,18 +11,18 @@ namespace crest {
  * Curvatures have the signs of PrincipalCurvature; units are those of the cloud.
  */
 struct ScaleFit {
-  double k1 = 0.0;
-  double k2 = 0.0;
+  float k1 = 0.0F;
+  float k2 = 0.0F;
   Eigen::Vector3f t1 = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** height of the surface over the node's position, along the normal */
-  double offset = 0.0;
+  float offset = 0.0F;
   /** of the neighbourhood that was fitted */
-  double radius = 0.0;
+  float radius = 0.0F;
   /** standard deviation of a sample from the surface, pooled with the node's star */
-  double noise = 0.0;
+  float noise = 0.0F;
   /** standard error of k1 that follows from it */
-  double k1_error = 0.0;
+  float k1_error = 0.0F;
   bool valid = false;
 };
 

@@ -215,7 +215,7 @@ public:
     // 4.2: curvature approximation, at the scale where it can be told
     beginStage (progress, "curvature", CURVED);
     shape->profiles =
-        profileSharpCrests (points, shape->graph, shape->sharp_lines, workers);
+        profileSharpCrests (points, shape->graph, shape->sharp_lines, tree, workers);
     reserveLarge (shape->curvature, points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       shape->curvature.push_back (

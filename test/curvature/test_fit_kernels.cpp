@@ -68,13 +68,6 @@ cubicTerm (int i, double u, double v)
 }
 
 double
-profileTerm (int i, double u, double v)
-{
-  const double terms[] = {1.0, u, u * u, v, u * v, v * v, u * v * v};
-  return terms[i];
-}
-
-double
 quadricTerm (int i, double u, double v)
 {
   const double terms[] = {0.5 * u * u, u * v, 0.5 * v * v};
@@ -179,39 +172,11 @@ TEST (FitKernels, FitCubicsAsQrDoes)
   kernels.addHeights (samples.data() + 20, SAMPLES - 20, sums);
   CubicFit fit;
   kernels.fitCubics (sums, fit);
-  const double x = 0.6;
-  const double y = 0.8;
-  Lanes variance;
-  kernels.bendVariance (fit, Lanes{} + x, Lanes{} + y, variance);
   for (int lane = 0; lane < LANES; ++lane) {
     const ByQr qr (samples, lane, CubicSums::TERMS, cubicTerm);
     for (int i = 0; i < CubicSums::TERMS; ++i)
       EXPECT_NEAR (fit.coefficients[i][lane], qr.solution[i], 1e-6) << i;
     EXPECT_NEAR (fit.residual[lane], qr.residual, 1e-6);
-    // The second derivative along (x, y) is this linear function of the solution.
-    Eigen::VectorXd bend = Eigen::VectorXd::Zero (CubicSums::TERMS);
-    bend.segment<3> (3) << 2.0 * x * x, 2.0 * x * y, 2.0 * y * y;
-    const Eigen::MatrixXd covariance = (qr.matrix.transpose() * qr.matrix).inverse();
-    EXPECT_NEAR (variance[lane] / bend.dot (covariance * bend), 1.0, 1e-6);
-  }
-}
-
-TEST (FitKernels, FitProfilesAsQrDoes)
-{
-  const auto samples = randomSamples();
-  for (const bool bent : {false, true}) {
-    ProfileFit fit;
-    fitKernels().fitProfiles (samples.data(), SAMPLES, bent, fit);
-    for (int lane = 0; lane < LANES; ++lane) {
-      const int terms = bent ? ProfileFit::TERMS : ProfileFit::TERMS - 1;
-      const ByQr qr (samples, lane, terms, profileTerm);
-      // Terms that samples leave open are damped a little.
-      for (int i = 0; i < terms; ++i)
-        EXPECT_NEAR (fit.coefficients[i][lane], qr.solution[i], 1e-3) << i;
-      if (!bent) {
-        EXPECT_EQ (fit.coefficients[ProfileFit::TERMS - 1][lane], 0.0);
-      }
-    }
   }
 }
 
@@ -230,32 +195,18 @@ TEST (FitKernels, AreTheSameForAllInstructions)
   expectSame (quadric.independence, other_quadric.independence);
 
   const auto samples = randomSamples();
-  const auto fitCubics =
-      [&] (const FitKernels& kernels, CubicFit& fit, Lanes& variance) {
-        CubicSums sums;
-        kernels.addHeights (samples.data(), SAMPLES, sums);
-        kernels.fitCubics (sums, fit);
-        kernels.bendVariance (fit, samples[0].u, samples[0].v, variance);
-      };
+  const auto fitCubics = [&samples] (const FitKernels& kernels, CubicFit& fit) {
+    CubicSums sums;
+    kernels.addHeights (samples.data(), SAMPLES, sums);
+    kernels.fitCubics (sums, fit);
+  };
   CubicFit cubic;
   CubicFit other_cubic;
-  Lanes variance;
-  Lanes other_variance;
-  fitCubics (portable, cubic, variance);
-  fitCubics (avx2, other_cubic, other_variance);
+  fitCubics (portable, cubic);
+  fitCubics (avx2, other_cubic);
   for (int i = 0; i < CubicSums::TERMS; ++i)
     expectSame (cubic.coefficients[i], other_cubic.coefficients[i]);
   expectSame (cubic.residual, other_cubic.residual);
-  expectSame (variance, other_variance);
-
-  for (const bool bent : {false, true}) {
-    ProfileFit profile;
-    ProfileFit other_profile;
-    portable.fitProfiles (samples.data(), SAMPLES, bent, profile);
-    avx2.fitProfiles (samples.data(), SAMPLES, bent, other_profile);
-    for (int i = 0; i < ProfileFit::TERMS; ++i)
-      expectSame (profile.coefficients[i], other_profile.coefficients[i]);
-  }
 }
 
 TEST (FitKernels, FitsThatHaveNothingToFitLeaveOthersAlone)

@@ -24,7 +24,8 @@ PyramidLevel
 levelOf (const Cloud& cloud, int number, unsigned threads = 1)
 {
   const oracle::SurfaceStages stages = oracle::surfaceStages (cloud);
-  PyramidLevel level = finestLevel (stages.points, stages.graph);
+  PyramidLevel level =
+      finestLevel (stages.points, stages.graph, treeOver (stages.points.positions, 1));
   for (int i = 0; i < number; ++i)
     level = coarserLevel (level, threads);
   return level;
@@ -114,8 +115,9 @@ TEST (Pyramid, NeighborsAreThoseWhoseSamplesAre)
 {
   const Cloud::Ptr cloud = oracle::sample (oracle::bumpySphere(), SAMPLES);
   const oracle::SurfaceStages stages = oracle::surfaceStages (*cloud);
-  const PyramidLevel level =
-      coarserLevel (finestLevel (stages.points, stages.graph), 1);
+  const PyramidLevel level = coarserLevel (
+      finestLevel (stages.points, stages.graph, treeOver (stages.points.positions, 1)),
+      1);
   std::set<std::pair<index_t, index_t>> expected;
   for (index_t p = 0; p < static_cast<index_t> (stages.graph.size()); ++p)
     for (const index_t q : stages.graph.star (p))

@@ -100,7 +100,8 @@ TEST (CrestProfile, NoisyCylindersAreNotResolved)
     const oracle::SurfaceStages stages =
         oracle::surfaceStages (*oracle::withNoise (*exact, noise * h));
     std::size_t resolved = 0;
-    for (const CrestProfile& profile : profileCrests (stages.points, stages.graph, 0))
+    for (const CrestProfile& profile : profileCrests (
+             stages.points, stages.graph, treeOver (stages.points.positions, 1), 0))
       resolved += profile.resolved ? 1 : 0;
     EXPECT_LT (resolved, stages.points.size() / 50) << noise;
   }
@@ -136,6 +137,7 @@ TEST (ScaleFit, TakesTheNearestOfAHub)
       level.graph.neighbors.push_back (j);
     level.graph.offsets.push_back (level.graph.neighbors.size());
   }
+  level.tree = treeOver (level.positions, 1);
   std::vector<std::uint8_t> needed (level.size(), 0);
   needed[0] = 1;
   const ScaleFit fit = fitAtScale (level, NEAREST, needed, 1)[0];
@@ -144,4 +146,96 @@ TEST (ScaleFit, TakesTheNearestOfAHub)
   // The hub is one of them.
   EXPECT_NEAR (fit.radius, 1.02 * distances[NEAREST - 1], 1e-6);
   EXPECT_NEAR (fit.k1, 0.2, 1e-3);
+}
+
+namespace {
+
+/** \brief A plate of two plane sides, or a step between two levels, as a level whose
+ * nodes are neighbours on their own side alone.
+ */
+struct FlatSides {
+  static constexpr int SIZE = 24;
+
+  PyramidLevel level;
+
+  void
+  add (const Eigen::Vector3f& position, const Eigen::Vector3f& normal)
+  {
+    level.node_of.push_back (static_cast<index_t> (level.size()));
+    level.positions.push_back (position);
+    level.normals.push_back (normal);
+    level.weights.push_back (1.0F);
+  }
+
+  /** \brief Makes neighbours of what is near and may be so. */
+  template <typename MayBe>
+  std::vector<ScaleFit>
+  fit (const MayBe& may_be)
+  {
+    const auto size = static_cast<index_t> (level.size());
+    level.graph.offsets.push_back (0);
+    for (index_t p = 0; p < size; ++p) {
+      for (index_t q = 0; q < size; ++q)
+        if (p != q && (level.positions[p] - level.positions[q]).norm() < 1.6F &&
+            may_be (p, q))
+          level.graph.neighbors.push_back (q);
+      level.graph.offsets.push_back (level.graph.neighbors.size());
+    }
+    level.tree = treeOver (level.positions, 1);
+    return fitAtScale (level, 28, std::vector<std::uint8_t> (level.size(), 1), 1);
+  }
+};
+
+/** \brief Irregular, as lattices leave terms open, but on the plane. */
+Eigen::Vector3f
+scattered (int i, int j)
+{
+  const auto x = static_cast<float> (i);
+  const auto y = static_cast<float> (j);
+  return {
+      x + 0.2F * std::sin (7.0F * x + 3.0F * y), y + 0.2F * std::cos (5.0F * x), 0.0F};
+}
+
+} // namespace
+
+TEST (ScaleFit, SeesOneSideOfAPlateAlone)
+{
+  FlatSides sides;
+  for (int i = 0; i < FlatSides::SIZE; ++i)
+    for (int j = 0; j < FlatSides::SIZE; ++j) {
+      sides.add (scattered (i, j), Eigen::Vector3f::UnitZ());
+      sides.add (scattered (j, i) - 0.5F * Eigen::Vector3f::UnitZ(),
+                 -Eigen::Vector3f::UnitZ());
+    }
+  const std::vector<ScaleFit> fits = sides.fit ([&sides] (index_t p, index_t q) {
+    return sides.level.normals[p].z() == sides.level.normals[q].z();
+  });
+  for (const ScaleFit& fit : fits) {
+    ASSERT_TRUE (fit.valid);
+    EXPECT_NEAR (fit.k1, 0.0, 1e-6);
+    EXPECT_NEAR (fit.offset, 0.0, 1e-6);
+  }
+}
+
+TEST (ScaleFit, DoesNotLookAcrossNodesThatTheGraphLeavesAlone)
+{
+  // The level falls by half a spacing where a strip of nodes is alone.
+  constexpr int STRIP = FlatSides::SIZE / 2;
+  FlatSides sides;
+  std::vector<int> columns;
+  for (int i = 0; i < FlatSides::SIZE; ++i)
+    for (int j = 0; j < FlatSides::SIZE; ++j) {
+      columns.push_back (i);
+      sides.add (scattered (i, j) -
+                     (i < STRIP ? 0.0F : 0.5F) * Eigen::Vector3f::UnitZ(),
+                 Eigen::Vector3f::UnitZ());
+    }
+  const std::vector<ScaleFit> fits = sides.fit ([&columns] (index_t p, index_t q) {
+    return columns[p] != STRIP && columns[q] != STRIP &&
+           (columns[p] < STRIP) == (columns[q] < STRIP);
+  });
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    EXPECT_EQ (fits[i].valid, columns[i] != STRIP);
+    EXPECT_NEAR (fits[i].k1, 0.0, 1e-6);
+  }
 }

@@ -22,7 +22,9 @@ fitsAt (const pcl::PointCloud<pcl::PointNormal>& cloud, int number, int nearest)
 {
   ScaleFits result;
   result.stages = surfaceStages (cloud);
-  result.level = finestLevel (result.stages.points, result.stages.graph);
+  result.level = finestLevel (result.stages.points,
+                              result.stages.graph,
+                              pcl::crest::treeOver (result.stages.points.positions, 1));
   for (int i = 0; i < number; ++i)
     result.level = coarserLevel (result.level, 0);
   result.fits = fitAtScale (
