@@ -228,6 +228,8 @@ readProfile (const OrientedPoints& points,
 std::vector<std::uint8_t>
 neededNodes (const PyramidLevel& level, const std::vector<Next>& next, int rings)
 {
+  if (std::find (next.begin(), next.end(), Next::NOTHING) == next.end())
+    return std::vector<std::uint8_t> (level.size(), 1);
   std::vector<std::uint8_t> needed (level.size(), 0);
   for (std::size_t i = 0; i < next.size(); ++i)
     if (next[i] != Next::NOTHING)

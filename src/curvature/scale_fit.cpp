@@ -309,19 +309,22 @@ poolNoise (const PyramidLevel& level,
            std::vector<ScaleFit>& fits,
            const Workers& workers)
 {
-  std::vector<double> variance (fits.size());
-  for (std::size_t i = 0; i < fits.size(); ++i)
-    variance[i] = static_cast<double> (fits[i].noise) * fits[i].noise;
+  constexpr double UNKNOWN = -1.0;
+  std::vector<double> variance;
+  reserveLarge (variance, fits.size());
+  for (const ScaleFit& fit : fits)
+    variance.push_back (fit.valid ? static_cast<double> (fit.noise) * fit.noise
+                                  : UNKNOWN);
   forEachBlock (
       fits.size(), workers, [&] (std::size_t, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           ScaleFit& fit = fits[i];
-          if (!fit.valid || !(fit.noise > 0.0F))
+          if (!(variance[i] > 0.0))
             continue;
           double sum = variance[i];
           int count = 1;
           for (const index_t q : level.graph.star (static_cast<index_t> (i)))
-            if (fits[q].valid) {
+            if (variance[q] != UNKNOWN) {
               sum += variance[q];
               ++count;
             }
