@@ -53,6 +53,7 @@ agreement (const CreaseNode& a, const CreaseNode& b, double least_cosine)
 std::vector<CreaseNode>
 agree (const OrientedPoints& points,
        const std::vector<CreaseNode>& nodes,
+       bool may_curve,
        const Workers& workers)
 {
   // In spacings.
@@ -66,8 +67,7 @@ agree (const OrientedPoints& points,
   constexpr double FALL = 0.9;
   constexpr double BEST_RATIO = 0.02;
 
-  // Nodes that stand for many samples round off the corners of straight lines.
-  const double turn = points.gathered ? LEAST_AGREEMENT : LEAST_COSINE_OF_CIRCLE;
+  const double turn = may_curve ? LEAST_COSINE_OF_CIRCLE : LEAST_AGREEMENT;
   const PlaceSearch search (points, feet (nodes));
   std::vector<CreaseNode> moved = nodes;
   std::vector<std::uint8_t> agreed (nodes.size(), 0);
@@ -259,6 +259,7 @@ CreaseChains
 chainCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const std::vector<Crease>& creases,
+              bool may_curve,
               const Workers& workers)
 {
   std::vector<CreaseNode> nodes;
@@ -275,7 +276,7 @@ chainCreases (const OrientedPoints& points,
                         graph.spacing[i]});
   constexpr int PASSES = 2;
   for (int pass = 0; pass < PASSES; ++pass)
-    nodes = agree (points, nodes, workers);
+    nodes = agree (points, nodes, may_curve, workers);
   CreaseChains chains;
   chains.nodes = thin (points, nodes);
   chains.next = link (points, chains.nodes);

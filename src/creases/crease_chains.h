@@ -62,6 +62,7 @@ CreaseChains
 chainCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const std::vector<Crease>& creases,
+              bool may_curve,
               const Workers& workers);
 
 /** \brief How the ends of chains meet. An end is a node and the way out of its chain,

@@ -180,9 +180,10 @@ traceCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const NeighborSearch& search,
               const std::vector<Crease>& creases,
+              bool may_curve,
               const Workers& workers)
 {
-  const CreaseChains chains = chainCreases (points, graph, creases, workers);
+  const CreaseChains chains = chainCreases (points, graph, creases, may_curve, workers);
   const CreaseJoins joins = joinEnds (points, chains);
   const std::vector<std::uint8_t> kept = keptChains (chains, joins);
   const auto isKept = [&] (int node) { return kept[chains.chain_of[node]] != 0; };

@@ -48,6 +48,8 @@ struct SharpLines {
  *
  * \param[in] points, graph, search what the creases were found with
  * \param[in] creases of all samples
+ * \param[in] may_curve whether creases may agree on a circle as well as on a straight
+ * line; where they are uncertain some would by chance, and corners would be rounded
  * \param[in] workers a number of threads, 0 for all processors
  */
 SharpLines
@@ -55,6 +57,7 @@ traceCreases (const OrientedPoints& points,
               const SurfaceGraph& graph,
               const NeighborSearch& search,
               const std::vector<Crease>& creases,
+              bool may_curve,
               const Workers& workers);
 
 } // namespace crest

@@ -36,6 +36,9 @@ onSamples (const OrientedPoints& nodes, SharpLines lines)
   return lines;
 }
 
+/** In spacings: where there is more, edges are as uncertain as those of nodes. */
+constexpr double HIGH_NOISE = 0.27;
+
 /** \brief What two planes may leave, by the noise of samples; all in spacings. Where
  * there is little, more would be curved faces, or lines that belong to a third one.
  * What was gathered is rounded at edges whatever its noise.
@@ -44,7 +47,6 @@ double
 largestResidual (double noise, bool gathered)
 {
   constexpr double LOW_NOISE = 0.22;
-  constexpr double HIGH_NOISE = 0.27;
   constexpr double IN_LOW_NOISE = 0.35;
   constexpr double IN_HIGH_NOISE = 0.55;
   if (gathered)
@@ -67,6 +69,7 @@ linesOn (const OrientedPoints& points,
       search,
       findCreases (
           points, graph, search, largestResidual (noise, points.gathered), workers),
+      noise < HIGH_NOISE && !points.gathered,
       workers);
 }
 
