@@ -177,7 +177,7 @@ TEST (CreaseLines, RimsOfHolesOfTwoSpacingsAreFound)
     cloud->push_back (point);
   };
   const auto centre = [] (int i) {
-    return Eigen::Vector3d (APART * (i % 2), APART * (i / 2), 0.0);
+    return Eigen::Vector3d (i % 2 == 0 ? 0.0 : APART, i < 2 ? 0.0 : APART, 0.0);
   };
   for (int row = -8; row <= 18; ++row)
     for (int column = -8; column <= 18; ++column) {
