@@ -28,46 +28,46 @@ wayTo (const CreaseNode& from, const Eigen::Vector3d& place)
   return {along, (e - along * from.direction).norm()};
 }
 
-/** \brief How well two nodes agree as tangents of one curve: the cosine between their
- * directions or, if more, between one and what the other is on a circle through both
- * (Parent and Zucker 1989), as around holes of a few spacings.
- * \param[in] least_cosine between directions that may be those of one circle
+/** \brief Whether two nodes are tangents of one line, within 30 degrees.
+ * \param[in] may_curve whether that may be a circle (Parent and Zucker 1989), of which
+ * they are up to 60 degrees apart, as around holes of a few spacings
  */
-double
-agreement (const CreaseNode& a, const CreaseNode& b, double least_cosine)
+bool
+agree (const CreaseNode& a, const CreaseNode& b, bool may_curve)
 {
+  constexpr double LEAST_AGREEMENT = 0.87;
+  constexpr double LEAST_COSINE_OF_CIRCLE = 0.5;
   // In spacings: of closer ones the way says nothing.
   constexpr double LEAST_DISTANCE = 0.3;
   const double cosine = std::abs (a.direction.dot (b.direction));
+  if (cosine >= LEAST_AGREEMENT)
+    return true;
   const Eigen::Vector3d way = b.foot - a.foot;
-  if (cosine < least_cosine || way.norm() < LEAST_DISTANCE * a.spacing)
-    return cosine;
+  if (!may_curve || cosine < LEAST_COSINE_OF_CIRCLE ||
+      way.norm() < LEAST_DISTANCE * a.spacing)
+    return false;
   const Eigen::Vector3d chord = way.normalized();
   const Eigen::Vector3d turned = 2.0 * a.direction.dot (chord) * chord - a.direction;
-  return std::max (cosine, std::abs (turned.dot (b.direction)));
+  return std::abs (turned.dot (b.direction)) >= LEAST_AGREEMENT;
 }
 
 /** \brief Moves nodes to the weighted mean of those around on the same line, and drops
  * those that are alone.
  */
 std::vector<CreaseNode>
-agree (const OrientedPoints& points,
-       const std::vector<CreaseNode>& nodes,
-       bool may_curve,
-       const Workers& workers)
+consensus (const OrientedPoints& points,
+           const std::vector<CreaseNode>& nodes,
+           bool may_curve,
+           const Workers& workers)
 {
   // In spacings.
   constexpr double REACH = 2.0;
   constexpr double FARTHEST_ACROSS = 0.7;
-  // Cosines of 30 and 60 degrees.
-  constexpr double LEAST_AGREEMENT = 0.87;
-  constexpr double LEAST_COSINE_OF_CIRCLE = 0.5;
   constexpr int LEAST_MEMBERS = 3;
   // Weights fall to a tenth at the reach; no fit is believed to be perfect.
   constexpr double FALL = 0.9;
   constexpr double BEST_RATIO = 0.02;
 
-  const double turn = may_curve ? LEAST_COSINE_OF_CIRCLE : LEAST_AGREEMENT;
   const PlaceSearch search (points, feet (nodes));
   std::vector<CreaseNode> moved = nodes;
   std::vector<std::uint8_t> agreed (nodes.size(), 0);
@@ -88,8 +88,7 @@ agree (const OrientedPoints& points,
             const CreaseNode& other = nodes[j];
             const double cosine = own.direction.dot (other.direction);
             const Way way = wayTo (own, other.foot);
-            if (other.type != own.type ||
-                agreement (own, other, turn) < LEAST_AGREEMENT ||
+            if (other.type != own.type || !agree (own, other, may_curve) ||
                 std::abs (way.along) > reach ||
                 way.across > FARTHEST_ACROSS * own.spacing)
               continue;
@@ -276,7 +275,7 @@ chainCreases (const OrientedPoints& points,
                         graph.spacing[i]});
   constexpr int PASSES = 2;
   for (int pass = 0; pass < PASSES; ++pass)
-    nodes = agree (points, nodes, may_curve, workers);
+    nodes = consensus (points, nodes, may_curve, workers);
   CreaseChains chains;
   chains.nodes = thin (points, nodes);
   chains.next = link (points, chains.nodes);

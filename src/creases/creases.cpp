@@ -144,8 +144,10 @@ public:
         fitWindow (count, smooth[w], normals, best);
     }
     const bool two_faces = best.type != CrestType::NONE;
-    takeBothSheets();
-    if (largest_square_ < OF_FLAT_FACES && (!two_faces || of_best_planes_ > ZERO)) {
+    const bool exact = two_faces && of_best_planes_ <= ZERO;
+    if (!exact)
+      takeBothSheets();
+    if (!exact && largest_square_ < OF_FLAT_FACES) {
       Crease end = fitEnd();
       if (end.type != CrestType::NONE)
         return end;
